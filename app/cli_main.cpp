@@ -12,7 +12,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
-#include "facenav/workflow/software_version.h"
+#include "facenav/core/software_version.h"
 #include "settings_flags.h"
 #include "terminal_progress.h"
 
@@ -45,13 +45,13 @@ int startWindow(const std::filesystem::path& program) {
 }
 
 /// To the verb and to those below it.
-void addSettingsFlags(CLI::App& verb, workflow::SettingsRequest& request) {
+void addSettingsFlagsBelow(CLI::App& verb, app::SettingsRequest& request) {
   app::addSettingsFlags(verb, request);
   for (CLI::App* below : verb.get_subcommands({})) app::addSettingsFlags(*below, request);
 }
 
 void useSettings(const app::Context& context) {
-  workflow::useSettings(context.settings);
+  app::useSettings(context.settings);
   if (context.is_quiet) return;
   for (const std::string& setting : changedSettingsInWords())
     std::fprintf(stderr, "changed setting: %s\n", setting.c_str());
@@ -70,7 +70,7 @@ int runCommandLine(int argc, char** argv) {
 
   app::Context context{app::makeRegistrations(), monitor, programPath(), is_quiet};
   CLI::App cli("FaceNav: markerless neuronavigation for rTMS", "facenav");
-  cli.set_version_flag("--version", workflow::softwareVersion());
+  cli.set_version_flag("--version", softwareVersion());
   cli.require_subcommand(0, 1);
   app::addSeries(cli, context);
   app::addPacs(cli, context);
@@ -107,7 +107,8 @@ int runCommandLine(int argc, char** argv) {
   app::addEvaluate(cli, context);
   app::addDemo(cli, context);
   app::addSettings(cli, context);
-  for (const char* verb : kVerbsWithSettings) addSettingsFlags(*cli.get_subcommand(verb), context.settings);
+  for (const char* verb : kVerbsWithSettings)
+    addSettingsFlagsBelow(*cli.get_subcommand(verb), context.settings);
   cli.parse_complete_callback([&context] { useSettings(context); });  // before the verb runs
   for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
   try {

@@ -5,17 +5,17 @@
 #include <filesystem>
 
 #include "facenav/core/task_monitor.h"
-#include "facenav/workflow/settings.h"
 #include "registrations.h"
+#include "settings.h"
 
 namespace facenav::app {
 
 struct Context {
-  workflow::Registrations registrations;
+  steps::Registrations registrations;
   TaskMonitor& monitor;           // progress on a terminal; cancelled by Ctrl-C
   std::filesystem::path program;  // full path of the running facenav
   bool is_quiet = false;
-  workflow::SettingsRequest settings = {};  // by the flags of the verb that runs
+  app::SettingsRequest settings = {};  // by the flags of the verb that runs
 
   /// FACENAV_CACHE, else the build folder's cache beside the program.
   std::filesystem::path cacheFolder() const;

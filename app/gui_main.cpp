@@ -16,8 +16,8 @@
 #include "appearance.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
-#include "facenav/workflow/pulse_pictures.h"
 #include "home/home_window.h"
 #include "main_window.h"
 #include "presenters/worklist_presenter.h"
@@ -34,7 +34,7 @@ using namespace facenav;
 constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 
 struct Arguments {
-  workflow::SettingsRequest settings;
+  app::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
   std::string report_pdf, session, home, rig;
   bool has_name = false, has_no_pictures = false, is_set_up = false;
@@ -92,10 +92,10 @@ int printReport(int argc, char** argv, const Arguments& arguments) {
   QGuiApplication application(argc, argv);
   const auto store = casefile::CaseStore::open(arguments.case_folder);
   const auto session = casefile::readSession(casefile::findSession(store.folder(), arguments.session));
-  workflow::ReportOptions options;
+  report::ReportOptions options;
   options.has_name = arguments.has_name;
-  if (!arguments.has_no_pictures) options.pictures = workflow::pulsePictures(store, session);
-  ui::writeReportPdf(workflow::makeSessionReport(store, session, options), arguments.report_pdf);
+  if (!arguments.has_no_pictures) options.pictures = steps::pulsePictures(store, session);
+  ui::writeReportPdf(report::makeSessionReport(store, session, options), arguments.report_pdf);
   return 0;
 }
 
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : 2;
   }
   try {
-    workflow::useSettings(arguments.settings);
+    app::useSettings(arguments.settings);
     if (!arguments.report_pdf.empty()) return printReport(argc, argv, arguments);
     return runWindow(argc, argv, arguments);
   } catch (const std::exception& error) {

@@ -25,8 +25,8 @@ void addExporters(Registry<casefile::Exporter>& exporters) {
 
 }  // namespace
 
-workflow::Registrations makeRegistrations() {
-  workflow::Registrations all;
+steps::Registrations makeRegistrations() {
+  steps::Registrations all;
   all.face_detector = madeOnce();
   all.head_segmenters.add("head", "everything inside the skin", segmentation::makeHeadSegmenter);
   all.brain_segmenters.add("brain", "tissue classes on a deformable surface",

@@ -3,10 +3,10 @@
 // its module and one line in registrations.cpp. Its name then appears in the command line's help and in the
 // window.
 
-#include "facenav/workflow/registrations.h"
+#include "facenav/methods/registrations.h"
 
 namespace facenav::app {
 
-workflow::Registrations makeRegistrations();
+steps::Registrations makeRegistrations();
 
 }  // namespace facenav::app

@@ -3,11 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "facenav/workflow/settings.h"
+#include "settings.h"
 
 namespace facenav::app {
 
-inline void addSettingsFlags(CLI::App& program, workflow::SettingsRequest& request) {
+inline void addSettingsFlags(CLI::App& program, app::SettingsRequest& request) {
   program.add_option("--settings", request.file,
                      "JSON file of settings that are to differ, {\"module.name\": value}");
   program

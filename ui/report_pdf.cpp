@@ -23,7 +23,7 @@ const char* const kStyle =
     "h1{font-size:21px}h2{font-size:15px;color:#005a8c}"
     "p.subtitle{color:#444455}th{background-color:#eef3f8;text-align:left}";
 
-QImage drawn(const workflow::SessionReport::Figure& figure) {
+QImage drawn(const report::SessionReport::Figure& figure) {
   if (!figure.chart) return toQImage(figure.picture);
   const auto& chart = *figure.chart;
   QImage image(QSize(chart.width, chart.height) * kChartSharpness, QImage::Format_RGB32);
@@ -34,7 +34,7 @@ QImage drawn(const workflow::SessionReport::Figure& figure) {
   return image;
 }
 
-QString bodyOf(const workflow::SessionReport& report) {
+QString bodyOf(const report::SessionReport& report) {
   QString body = QString::fromStdString(report.body);
   for (std::size_t i = 0; i < report.figures.size(); ++i) {
     const QString place = QString("<img src=\"figure:%1\">").arg(i);
@@ -46,7 +46,7 @@ QString bodyOf(const workflow::SessionReport& report) {
   return body;
 }
 
-void fill(QTextDocument& document, const workflow::SessionReport& report, const QSizeF& page) {
+void fill(QTextDocument& document, const report::SessionReport& report, const QSizeF& page) {
   document.setDefaultStyleSheet(kStyle);
   for (std::size_t i = 0; i < report.figures.size(); ++i)
     document.addResource(QTextDocument::ImageResource, QUrl(QString("figure:%1").arg(i)),
@@ -81,7 +81,7 @@ void printPages(QTextDocument& document, const QString& subtitle, QPdfWriter& wr
 
 }  // namespace
 
-void writeReportPdf(const workflow::SessionReport& report, const std::filesystem::path& path) {
+void writeReportPdf(const report::SessionReport& report, const std::filesystem::path& path) {
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);
   {

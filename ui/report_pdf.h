@@ -1,14 +1,14 @@
 #pragma once
-// The report of a session as PDF (A4), from the content of workflow/session_report.h. Needs a
+// The report of a session as PDF (A4), from the content of report/session_report.h. Needs a
 // QGuiApplication; no window.
 
 #include <filesystem>
 
-#include "facenav/workflow/session_report.h"
+#include "facenav/report/session_report.h"
 
 namespace facenav::ui {
 
 /// The whole file or nothing, 0600. Throws Error when it cannot be written.
-void writeReportPdf(const workflow::SessionReport& report, const std::filesystem::path& path);
+void writeReportPdf(const report::SessionReport& report, const std::filesystem::path& path);
 
 }  // namespace facenav::ui

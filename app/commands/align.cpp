@@ -7,11 +7,11 @@
 
 #include "commands/commands.h"
 #include "commands/live_option.h"
+#include "facenav/align/align_case.h"
+#include "facenav/align/alignment_seen.h"
 #include "facenav/pictures/titled_row.h"
 #include "facenav/scene/png.h"
-#include "facenav/workflow/align_case.h"
-#include "facenav/workflow/alignment_seen.h"
-#include "facenav/workflow/record_live.h"
+#include "facenav/setup/record_live.h"
 
 namespace facenav::app {
 namespace {
@@ -87,8 +87,8 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
 
 /// Both pictures of the capture with the MRI's skin over them, for a person to judge.
 void writePicture(const std::filesystem::path& path, const casefile::CaseStore& store,
-                  const cameras::StereoRig& rig, const workflow::AlignmentOutcome& outcome) {
-  auto drawn = workflow::drawAlignment(rig, outcome, workflow::seeAlignment(store, outcome));
+                  const cameras::StereoRig& rig, const steps::AlignmentOutcome& outcome) {
+  auto drawn = steps::drawAlignment(rig, outcome, steps::seeAlignment(store, outcome));
   scene::writePng(pictures::titledRow({{"MRI's skin, left camera", std::move(drawn.left)},
                                        {"MRI's skin, right camera", std::move(drawn.right)}}),
                   path);
@@ -97,14 +97,13 @@ void writePicture(const std::filesystem::path& path, const casefile::CaseStore& 
 void runAlign(Context& context, const AlignRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto recording = openWhatIsAligned(request, context);
-  workflow::AlignOrder order{request.aligner};
+  steps::AlignOrder order{request.aligner};
   order.matcher = request.matcher;
   order.tries_all = true;
   if (!request.live.coil.words.empty()) order.coil = coilOf(request.live.coil);
   order.may_be_unsure = request.live.rig.empty();
-  if (request.live.rig.empty()) order.from = workflow::alignedFrom(request.from);
-  const auto aligned =
-      workflow::alignRecording(context.registrations, store, recording, order, context.monitor);
+  if (request.live.rig.empty()) order.from = measured_face::alignedFrom(request.from);
+  const auto aligned = steps::alignRecording(context.registrations, store, recording, order, context.monitor);
   const auto& outcome = aligned.outcome;
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
@@ -142,8 +141,7 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", request->output, "also write alignment.json here");
   verb->add_option("--picture", request->picture,
                    "PNG: the MRI's skin (contour, points, landmarks) over both pictures, to judge by eye");
-  verb->add_option("--aligner", request->aligner,
-                   "method: " + workflow::namesOf(context.registrations.aligners))
+  verb->add_option("--aligner", request->aligner, "method: " + steps::namesOf(context.registrations.aligners))
       ->capture_default_str();
   verb->add_option(
           "--using", request->from,

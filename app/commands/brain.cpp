@@ -7,7 +7,7 @@
 #include "commands/commands.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/correct_brain.h"
+#include "facenav/prepare/correct_brain.h"
 
 namespace facenav::app {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kMostRadius_mm = 40.0;  // as in the window
 
 struct BrainRequest {
   std::filesystem::path case_folder;
-  workflow::BrainEdits edits;
+  steps::BrainEdits edits;
   std::vector<std::string> added, removed, grown;  // as typed
 };
 
@@ -46,7 +46,7 @@ std::vector<editing::Ball> ballsOf(const std::vector<std::string>& typed) {
   return balls;
 }
 
-bool hasEdits(const workflow::BrainEdits& edits) {
+bool hasEdits(const steps::BrainEdits& edits) {
   return edits.starts_automatic || edits.drawn || !edits.added.empty() || !edits.removed.empty() ||
          !edits.grown.empty() || edits.fills_holes || edits.smooths;
 }
@@ -59,7 +59,7 @@ void printState(const casefile::CaseStore& store) {
   if (casefile::brainDraft(store)) std::printf("an unfinished correction is kept (--discard removes it)\n");
 }
 
-void print(const workflow::CorrectedBrain& result) {
+void print(const steps::CorrectedBrain& result) {
   if (result.had_draft) std::printf("went on from the unfinished correction\n");
   if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
   std::printf(
@@ -74,7 +74,7 @@ void runBrain(Context& context, BrainRequest request) {
     request.edits.grown.push_back(placeOf(numbersOf(typed, 3, "R,A,S")));
   const auto store = casefile::CaseStore::open(request.case_folder);
   if (hasEdits(request.edits)) {
-    const auto result = workflow::correctBrain(store, request.edits, context.monitor);
+    const auto result = steps::correctBrain(store, request.edits, context.monitor);
     if (!context.is_quiet) print(result);
     return;
   }

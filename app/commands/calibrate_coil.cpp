@@ -5,8 +5,8 @@
 #include "commands/coil_option.h"
 #include "commands/commands.h"
 #include "facenav/capture/recording.h"
-#include "facenav/casefile/utc_time.h"
 #include "facenav/coil_tracking/coil_calibration.h"
+#include "facenav/core/utc_time.h"
 
 namespace facenav::app {
 namespace {
@@ -58,7 +58,7 @@ coil_tracking::Pivot pivot(Context& context, const std::filesystem::path& folder
 
 void run(Context& context, CalibrateCoilRequest request) {
   if (!request.coil_words.empty())
-    request.coil = workflow::coilFileOf(request.coil_words, workflow::coilLibrary(request.library));
+    request.coil = coil_library::coilFileOf(request.coil_words, coil_library::coilLibrary(request.library));
   const auto coil =
       request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
   const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
@@ -69,7 +69,7 @@ void run(Context& context, CalibrateCoilRequest request) {
                         : coil_tracking::calibrateWithPivots(pivot(context, request.centre, coil),
                                                              pivot(context, request.handle, coil),
                                                              pivot(context, request.side, coil));
-  result.utc = casefile::isoUtc(std::chrono::system_clock::now());
+  result.utc = isoUtc(std::chrono::system_clock::now());
   coil_tracking::writeCalibratedCoil(coil, result, request.output, request.coil);
   if (context.is_quiet) return;
   std::printf("%s: %d of %d frames, residual rms %.2f mm; standard error %.2f mm, %.2f deg\n",

@@ -11,8 +11,9 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/measured_face/measured_face.h"
+#include "facenav/measured_face/projected_dots.h"
 #include "facenav/stereo/cloud_file.h"
-#include "facenav/workflow/measured_face.h"
 
 namespace facenav::app {
 namespace {
@@ -25,7 +26,7 @@ struct CloudRequest {
 };
 
 struct Measurement {
-  workflow::MeasuredFace face;
+  measured_face::MeasuredFace face;
   cv::Mat colour;    // empty: grey
   std::string what;  // measured, in words
 };
@@ -51,7 +52,9 @@ Measurement ofFilm(Context& context, const CloudRequest& request) {
   const auto source = capture::makeSource(recording);
   const auto detector = context.registrations.face_detector();
   const auto tracker = context.registrations.head_trackers.create("model");
-  Measurement result{workflow::measureFilm(*source, first, last, *tracker, *detector, context.monitor),
+  Measurement result{measured_face::measureFilm(*source, first, last,
+                                                head_tracking::motionSinceFirst(*tracker, source->rig()),
+                                                *detector, context.monitor),
                      capture::leftColour(recording, first), ""};
   result.what = "frames " + request.frames + " (" + std::to_string(result.face.fused) + " fused, " +
                 std::to_string(result.face.lost) + " lost)";
@@ -70,18 +73,18 @@ Measurement ofFrame(Context& context, const capture::Recording& recording,
   if (!frame)
     throw Error("has neither a capture/ pair nor frames", recording.folder.string(), "record one first");
   const auto detector = context.registrations.face_detector();
-  return {workflow::measurePair(recording.rig, *frame, *frame, false, *detector, context.monitor),
+  return {measured_face::measurePair(recording.rig, *frame, *frame, false, *detector, context.monitor),
           capture::leftColour(recording, frame->number),
           number ? "frame " + std::to_string(*number) : "the film's first frame"};
 }
 
 Measurement ofCapture(Context& context, const capture::Recording& recording, bool is_plain) {
   const capture::CapturePair& pair = *recording.capture;
-  const bool has_dots = !is_plain && workflow::showsDots(pair);
+  const bool has_dots = !is_plain && measured_face::showsDots(pair);
   if (!is_plain && !has_dots) logWarning("capture/ shows no dots: its plain pair is measured, as plain skin");
   const auto detector = context.registrations.face_detector();
-  return {workflow::measurePair(recording.rig, has_dots ? pair.pattern : pair.plain, pair.plain, has_dots,
-                                *detector, context.monitor),
+  return {measured_face::measurePair(recording.rig, has_dots ? pair.pattern : pair.plain, pair.plain,
+                                     has_dots, *detector, context.monitor),
           capture::captureColour(recording), has_dots ? "the pair with dots" : "the plain pair"};
 }
 

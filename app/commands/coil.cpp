@@ -15,11 +15,11 @@ using Json = nlohmann::ordered_json;
 
 struct CoilRequest {
   CoilChoice coil;
-  workflow::CoilChanges changes;
+  coil_library::CoilChanges changes;
   std::vector<double> focus_mm;
   bool is_json = false, replaces = false;
 
-  std::filesystem::path library() const { return workflow::coilLibrary(coil.library); }
+  std::filesystem::path library() const { return coil_library::coilLibrary(coil.library); }
 };
 
 Json calibrationJson(const coil_tracking::CalibrationRecord& record) {
@@ -28,7 +28,7 @@ Json calibrationJson(const coil_tracking::CalibrationRecord& record) {
           {"sigma_deg", record.sigma_deg}, {"frames", record.frames}};
 }
 
-Json toJson(const workflow::LibraryCoil& coil) {
+Json toJson(const coil_library::LibraryCoil& coil) {
   Json json{{"name", coil.name}, {"file", coil.file.string()}};
   if (!coil.problem.empty()) {
     json["problem"] = coil.problem;
@@ -47,7 +47,7 @@ Json toJson(const workflow::LibraryCoil& coil) {
     for (const auto& corner : guidance::readPlate(coil.file).outline_mm)
       json["contact_outline_mm"].push_back({corner.x(), corner.y()});
   json["calibration"] = card.calibration ? calibrationJson(*card.calibration) : Json();
-  const auto reminder = workflow::calibrationReminder(card);
+  const auto reminder = coil_library::calibrationReminder(card);
   json["reminder"] = reminder ? Json(*reminder) : Json();
   return json;
 }
@@ -56,14 +56,14 @@ void print(const Json& json) {
   std::printf("%s\n", json.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-void noteReminder(const workflow::LibraryCoil& coil) {
+void noteReminder(const coil_library::LibraryCoil& coil) {
   if (!coil.problem.empty()) return;
-  if (const auto reminder = workflow::calibrationReminder(coil.card))
+  if (const auto reminder = coil_library::calibrationReminder(coil.card))
     std::printf("  note: %s\n", reminder->c_str());
 }
 
 void list(const CoilRequest& request) {
-  const auto coils = workflow::coilsIn(request.library());
+  const auto coils = coil_library::coilsIn(request.library());
   if (request.is_json) {
     Json all = Json::array();
     for (const auto& coil : coils) all.push_back(toJson(coil));
@@ -79,7 +79,7 @@ void list(const CoilRequest& request) {
 }
 
 void show(const CoilRequest& request) {
-  const auto coil = workflow::findCoil(request.library(), request.coil.words);
+  const auto coil = coil_library::findCoil(request.library(), request.coil.words);
   if (request.is_json) return print(toJson(coil));
   std::printf("%s\n", inWords(coil).c_str());
   for (const auto& marker : coil.model.markers)
@@ -94,10 +94,10 @@ void show(const CoilRequest& request) {
 }
 
 void add(const CoilRequest& request, bool is_quiet) {
-  workflow::CoilChanges changes = request.changes;
+  coil_library::CoilChanges changes = request.changes;
   if (!request.focus_mm.empty())
     changes.focus_mm = Eigen::Vector3d(request.focus_mm[0], request.focus_mm[1], request.focus_mm[2]);
-  const auto coil = workflow::addCoil(request.library(), request.coil.words, changes, request.replaces);
+  const auto coil = coil_library::addCoil(request.library(), request.coil.words, changes, request.replaces);
   if (request.is_json) return print(toJson(coil));
   if (is_quiet) return;
   std::printf("added %s\n", inWords(coil).c_str());
@@ -137,7 +137,7 @@ void addCoil(CLI::App& app, Context& context) {
   added->callback([request, &context] { add(*request, context.is_quiet); });
   auto* removed = step(*verb, "remove", "removes a coil from the library", *request);
   removed->add_option("NAME", request->coil.words, "name, or its beginning")->required();
-  removed->callback([request] { workflow::removeCoil(request->library(), request->coil.words); });
+  removed->callback([request] { coil_library::removeCoil(request->library(), request->coil.words); });
   for (auto* each : verb->get_subcommands({})) each->add_flag("-q,--quiet", "no notes");
 }
 

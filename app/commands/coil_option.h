@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "facenav/workflow/coil_library.h"
+#include "facenav/coil_library/coil_library.h"
 
 namespace facenav::app {
 
@@ -17,7 +17,8 @@ struct CoilChoice {
 /// The chosen coil; none chosen: the default one. Throws Error: there is no such coil.
 inline coil_tracking::CoilModel coilOf(const CoilChoice& choice) {
   if (choice.words.empty()) return coil_tracking::defaultCoil();
-  return coil_tracking::readCoil(workflow::coilFileOf(choice.words, workflow::coilLibrary(choice.library)));
+  return coil_tracking::readCoil(
+      coil_library::coilFileOf(choice.words, coil_library::coilLibrary(choice.library)));
 }
 
 inline void addCoilLibraryOption(CLI::App& verb, std::filesystem::path& library) {

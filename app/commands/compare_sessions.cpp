@@ -6,18 +6,18 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/session_compare.h"
+#include "facenav/review/session_compare.h"
 
 namespace facenav::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const workflow::MeanCoil& mean) {
+Json toJson(const steps::MeanCoil& mean) {
   return {{"pulses", mean.pulses}, {"spread_mm", mean.spread_mm}, {"spread_deg", mean.spread_deg}};
 }
 
-Json toJson(const workflow::TargetReturn& back) {
+Json toJson(const steps::TargetReturn& back) {
   return {{"target", back.target},
           {"distance_mm", back.distance_mm},
           {"tilt_deg", back.tilt_deg},
@@ -31,11 +31,11 @@ Json toJson(const workflow::TargetReturn& back) {
           {"median_mep_second_uv", back.mep_second_uv ? Json(*back.mep_second_uv) : Json()}};
 }
 
-std::string spreadWords(const workflow::MeanCoil& mean) {
+std::string spreadWords(const steps::MeanCoil& mean) {
   return formatted("%d pulses +-%.1f mm", mean.pulses, mean.spread_mm);
 }
 
-void print(const workflow::SessionComparison& comparison) {
+void print(const steps::SessionComparison& comparison) {
   std::printf("%-20s %8s %8s %8s %8s %20s %20s %14s\n", "target", "mm", "tilt", "twist", "rotation", "first",
               "second", "target moved");
   for (const auto& back : comparison.targets)
@@ -54,8 +54,8 @@ void compareSessions(const std::filesystem::path& case_folder, const std::string
   const auto folder = casefile::CaseStore::open(case_folder).folder();
   const auto first_folder = casefile::findSession(folder, first);
   const auto second_folder = casefile::findSession(folder, second);
-  const auto comparison = workflow::compareSessions(casefile::readSessionPulses(first_folder).pulses,
-                                                    casefile::readSessionPulses(second_folder).pulses);
+  const auto comparison = steps::compareSessions(casefile::readSessionPulses(first_folder).pulses,
+                                                 casefile::readSessionPulses(second_folder).pulses);
   if (!is_json) return print(comparison);
   Json json{{"first", first_folder.filename().string()}, {"second", second_folder.filename().string()}};
   json["targets"] = Json::array();

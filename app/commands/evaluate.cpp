@@ -11,11 +11,11 @@
 #include "evaluate/evaluation_run.h"
 #include "evaluate/plain_align_run.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/software_version.h"
 #include "facenav/evaluation/evaluation_report.h"
 #include "facenav/guidance/hand_knob.h"
-#include "facenav/workflow/settings.h"
-#include "facenav/workflow/software_version.h"
 #include "result_folder.h"
+#include "settings.h"
 
 namespace facenav::app {
 namespace {
@@ -118,7 +118,7 @@ std::vector<evaluation::RunRecord> playRecordings(Context& context, const Evalua
 
 /// " Measured with changed settings: ..", where any differ.
 std::string measuredWith() {
-  const auto changed = workflow::changedSettingsFinding(" Measured");
+  const auto changed = changedSettingsFinding(" Measured");
   return changed ? *changed + "." : "";
 }
 
@@ -129,7 +129,7 @@ void runEvaluate(Context& context, const EvaluateRequest& request) {
   const std::string about =
       (is_recorded ? std::to_string(runs.size()) + " recordings with truth." : inWords(request.room)) +
       " Aligner " + request.methods.aligner + ", head tracker " + request.methods.head_tracker +
-      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + workflow::softwareVersion() + "." +
+      ", coil tracker " + request.methods.coil_tracker + "; FaceNav " + softwareVersion() + "." +
       measuredWith();
   evaluation::writeEvaluation(runs, about, result.path());
   result.finish();
@@ -208,13 +208,13 @@ void addEvaluate(CLI::App& app, Context& context) {
   verb->add_option("--target", request->target,
                    "target of the case to measure at, with --recording (default: the first)");
   verb->add_option("--aligner", request->methods.aligner,
-                   "method: " + workflow::namesOf(context.registrations.aligners))
+                   "method: " + steps::namesOf(context.registrations.aligners))
       ->capture_default_str();
   verb->add_option("--head-tracker", request->methods.head_tracker,
-                   "method: " + workflow::namesOf(context.registrations.head_trackers))
+                   "method: " + steps::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   verb->add_option("--coil-tracker", request->methods.coil_tracker,
-                   "method: " + workflow::namesOf(context.registrations.coil_trackers))
+                   "method: " + steps::namesOf(context.registrations.coil_trackers))
       ->capture_default_str();
   verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
       ->capture_default_str();

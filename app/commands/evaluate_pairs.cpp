@@ -22,7 +22,7 @@ void addEvaluatePairs(CLI::App& evaluate, Context& context) {
   verb->add_option("--rigs", *rigs, "folder of <a><b>_stereo.yml (default: the first person's)")
       ->check(CLI::ExistingDirectory);
   verb->add_option("--head-tracker", *method,
-                   "method: " + workflow::namesOf(context.registrations.head_trackers))
+                   "method: " + steps::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   auto is_aligned_only = std::make_shared<bool>(false);
   verb->add_flag("--align", *is_aligned_only,

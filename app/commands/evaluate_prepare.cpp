@@ -84,7 +84,7 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
       ->check(CLI::Range(0.0, 20.0))
       ->capture_default_str();
   verb->add_option("--method", request->evaluation.methods,
-                   "brain segmentation: " + workflow::namesOf(context.registrations.brain_segmenters))
+                   "brain segmentation: " + steps::namesOf(context.registrations.brain_segmenters))
       ->delimiter(',')
       ->capture_default_str();
   verb->add_flag("--perturb", request->evaluation.is_perturbed,

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/geometry/json_transform.h"
-#include "facenav/workflow/expert_pose.h"
+#include "facenav/plan/expert_pose.h"
 
 namespace facenav::app {
 
@@ -24,13 +24,13 @@ void addExpertOptions(CLI::App& verb, ExpertTargetRequest& request) {
 
 void storeExpertTarget(Context& context, const casefile::CaseStore& store, const ExpertTargetRequest& request,
                        const std::string& name, bool is_json) {
-  workflow::ExpertRequest order;
+  steps::ExpertRequest order;
   order.session = request.session == "newest" ? "" : request.session;
   order.pulse = request.pulse;
   order.from_target = request.from_target;
   order.name = name;
   order.by = request.by;
-  const auto target = workflow::storeExpertPose(store, order);
+  const auto target = steps::storeExpertPose(store, order);
   const auto& expert = *target.expert;
   if (is_json) {
     const nlohmann::ordered_json json{{"name", target.name},
@@ -45,7 +45,7 @@ void storeExpertTarget(Context& context, const casefile::CaseStore& store, const
         std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str()));
   }
   if (!context.is_quiet)
-    std::printf("target '%s': %s\n", target.name.c_str(), workflow::inWords(expert).c_str());
+    std::printf("target '%s': %s\n", target.name.c_str(), steps::inWords(expert).c_str());
 }
 
 }  // namespace facenav::app

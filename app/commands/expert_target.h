@@ -17,7 +17,7 @@ struct ExpertTargetRequest {
 };
 
 void addExpertOptions(CLI::App& verb, ExpertTargetRequest& request);
-/// `name`: of the target; empty: "expert " and the old one's. Throws Error as workflow::storeExpertPose does.
+/// `name`: of the target; empty: "expert " and the old one's. Throws Error as steps::storeExpertPose does.
 void storeExpertTarget(Context& context, const casefile::CaseStore& store, const ExpertTargetRequest& request,
                        const std::string& name, bool is_json);
 

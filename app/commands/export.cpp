@@ -22,7 +22,7 @@ void addExport(CLI::App& app, Context& context) {
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option(
           "--as", request->formats,
-          "one or more of: " + workflow::namesOf(context.registrations.exporters) +
+          "one or more of: " + steps::namesOf(context.registrations.exporters) +
               "; or home: one file without MRI and name, with the face and the expert's pose, for use "
               "near home ('facenav import', 'facenav-gui --home')")
       ->required();

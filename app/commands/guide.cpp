@@ -5,14 +5,15 @@
 
 #include "commands/commands.h"
 #include "commands/session_verb.h"
+#include "facenav/align/align_from_capture.h"
 #include "facenav/cameras/projector_model.h"
 #include "facenav/casefile/case_coil.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/measured_face/skin_model.h"
 #include "facenav/pictures/projected_guide.h"
 #include "facenav/scene/png.h"
-#include "facenav/workflow/align_from_capture.h"
-#include "facenav/workflow/guide_poses.h"
+#include "facenav/treat/guide_poses.h"
 
 namespace facenav::app {
 namespace {
@@ -58,9 +59,10 @@ void writeProjected(const GuideRequest& request, const casefile::CaseStore& stor
 
 void guideTable(const GuideRequest& request, const Context& context) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto scalp = registration::keptScalpField(workflow::skinModel(store.scalp()), store.scalpField());
+  const auto scalp =
+      registration::keptScalpField(measured_face::skinModel(store.scalp()), store.scalpField());
   const auto poses = casefile::readPoses(request.poses);
-  const auto rows = workflow::guidePoses(store, poses, request.target, scalp.get());
+  const auto rows = steps::guidePoses(store, poses, request.target, scalp.get());
   guidance::writeGuidanceCsv(rows, request.output);
   if (!request.projected.empty()) writeProjected(request, store, poses, rows);
   if (context.is_quiet) return;

@@ -8,25 +8,25 @@
 
 #include "commands/commands.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/expert_pose.h"
-#include "facenav/workflow/returned_session.h"
+#include "facenav/home/returned_session.h"
+#include "facenav/plan/expert_pose.h"
 
 namespace facenav::app {
 
 void exportHomeCase(Context& context, const casefile::CaseStore& store, const HomeExportRequest& request) {
-  workflow::HomeOrder order;
+  steps::HomeOrder order;
   order.target = request.target;
   order.coil = request.coil.words;
-  order.coil_library = workflow::coilLibrary(request.coil.library);
+  order.coil_library = coil_library::coilLibrary(request.coil.library);
   if (!request.by.empty()) order.released_by = request.by;
   if (std::filesystem::exists(request.output) && !request.replaces)
     throw Error("the file exists already", request.output.string(), "choose another name, or --replace");
   const auto detector = context.registrations.face_detector();
-  const auto made = workflow::exportHome(*detector, store, order, request.output, context.monitor);
+  const auto made = steps::exportHome(*detector, store, order, request.output, context.monitor);
   if (context.is_quiet) return;
   std::printf("%s: %.1f MB, no MRI, no name\n", request.output.c_str(), double(made.bytes) / 1e6);
   std::printf("expert's pose '%s': %s\n", made.target.name.c_str(),
-              workflow::inWords(*made.target.expert).c_str());
+              steps::inWords(*made.target.expert).c_str());
   if (made.face) std::printf("%s\n", faceFinding(*made.face).c_str());
 }
 
@@ -36,7 +36,7 @@ void addFaceCase(CLI::App& app, Context& context) {
       "a case without an MRI: the face that a recording shows is its model (with dots; or, with the coil's "
       "marker at rest beside it, a film of the turning head or a plain pair)");
   struct FaceCaseRequest {
-    workflow::FaceCaseOrder order;
+    steps::FaceCaseOrder order;
     std::string from;
     CoilChoice coil;
   };
@@ -55,9 +55,9 @@ void addFaceCase(CLI::App& app, Context& context) {
       "--replace", order.replaces,
       "replaces a face case there; its targets and sessions go, for they belong to the old measurement");
   verb->callback([&context, request] {
-    request->order.from = workflow::alignedFrom(request->from);
+    request->order.from = measured_face::alignedFrom(request->from);
     if (!request->coil.words.empty()) request->order.coil = coilOf(request->coil);
-    const auto store = workflow::makeFaceCase(context.registrations, request->order, context.monitor);
+    const auto store = steps::makeFaceCase(context.registrations, request->order, context.monitor);
     if (context.is_quiet) return;
     for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
     std::printf("%s: case %s\n", request->order.case_folder.c_str(), store.caseId().c_str());
@@ -73,8 +73,8 @@ struct ImportRequest {
 
 void importSession(const Context& context, const ImportRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
-  const auto returned = workflow::importReturned(store, request.file);
-  using Outcome = workflow::ReturnedOutcome;
+  const auto returned = steps::importReturned(store, request.file);
+  using Outcome = steps::ReturnedOutcome;
   if (request.is_json) {
     const nlohmann::ordered_json json{{"case_id", store.caseId()},
                                       {"session", returned.folder.filename().string()},
@@ -84,22 +84,22 @@ void importSession(const Context& context, const ImportRequest& request) {
                                                                                            : "unchanged"}};
     std::printf("%s\n", json.dump(1).c_str());
   } else if (!context.is_quiet) {
-    std::printf("%s\n", workflow::inWords(returned).c_str());
+    std::printf("%s\n", steps::inWords(returned).c_str());
   }
 }
 
 void importCase(const Context& context, const ImportRequest& request) {
-  const auto store = workflow::importHome(request.file, request.case_folder);
-  const auto home = workflow::openHomeCase(store.folder());
+  const auto store = steps::importHome(request.file, request.case_folder);
+  const auto home = steps::openHomeCase(store.folder());
   if (request.is_json) {
     const nlohmann::ordered_json json{{"case_id", store.caseId()},
                                       {"target", home.target.name},
                                       {"coil", home.coil.name},
-                                      {"expert", workflow::inWords(*home.target.expert)}};
+                                      {"expert", steps::inWords(*home.target.expert)}};
     std::printf("%s\n", json.dump(1).c_str());
   } else if (!context.is_quiet) {
     std::printf("case %s: '%s', %s\n", store.caseId().c_str(), home.target.name.c_str(),
-                workflow::inWords(*home.target.expert).c_str());
+                steps::inWords(*home.target.expert).c_str());
   }
 }
 
@@ -116,8 +116,7 @@ void addImport(CLI::App& app, Context& context) {
       ->required();
   verb->add_flag("--json", request->is_json, "JSON");
   verb->callback([&context, request] {
-    workflow::isReturnedFile(request->file) ? importSession(context, *request)
-                                            : importCase(context, *request);
+    steps::isReturnedFile(request->file) ? importSession(context, *request) : importCase(context, *request);
   });
 }
 

@@ -6,7 +6,7 @@
 
 #include "commands/coil_option.h"
 #include "context.h"
-#include "facenav/workflow/home_case.h"
+#include "facenav/home/home_case.h"
 
 namespace facenav::app {
 
@@ -17,7 +17,7 @@ struct HomeExportRequest {
   bool replaces = false;
 };
 
-/// Throws Error as workflow::exportHome does, and where the file exists.
+/// Throws Error as steps::exportHome does, and where the file exists.
 void exportHomeCase(Context& context, const casefile::CaseStore& store, const HomeExportRequest& request);
 
 }  // namespace facenav::app

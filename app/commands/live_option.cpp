@@ -5,7 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
-#include "facenav/workflow/record_live.h"
+#include "facenav/setup/record_live.h"
 
 namespace facenav::app {
 namespace {
@@ -18,16 +18,16 @@ std::string repairOf(const std::string& rig) {
   return "repair it in two minutes: facenav-gui --set-up --rig " + quote + rig + quote;
 }
 
-void tellStart(const LiveChoice& choice, const workflow::RigStart& found) {
+void tellStart(const LiveChoice& choice, const steps::RigStart& found) {
   const std::string words = "rig " + choice.rig + ": " + found.words();
   if (found.isWithheld())
     logWarning(words + "; guidance and alignment are withheld; " + repairOf(choice.rig));
-  else if (!found.differs.empty() || found.state == workflow::RigState::unclear)
+  else if (!found.differs.empty() || found.state == health::RigState::unclear)
     logWarning(words);
   else
     logInfo(words);
   try {
-    workflow::keepRigStart(capture::RigStore(choice.rigs), choice.rig, found);
+    steps::keepRigStart(capture::RigStore(choice.rigs), choice.rig, found);
   } catch (const Error& error) {
     logWarning(error.what());
   }
@@ -43,9 +43,9 @@ std::string ask(const char* words) {
 
 capture::CapturePair withDots(capture::FrameSource& source) {
   capture::CapturePair pair;
-  pair.pattern = workflow::takeStill(source);
+  pair.pattern = steps::takeStill(source);
   ask("projector off, the head still, then press Return");
-  pair.plain = workflow::takeStill(source);
+  pair.plain = steps::takeStill(source);
   return pair;
 }
 
@@ -72,17 +72,17 @@ void addVerifyingCoilOptions(CLI::App& verb, LiveChoice& choice) {
   addCoilLibraryOption(verb, choice.coil.library);
 }
 
-std::unique_ptr<workflow::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context) {
+std::unique_ptr<steps::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context) {
   const auto& methods = context.registrations;
   const auto rig = capture::RigStore(choice.rigs).read(choice.rig);
-  workflow::RigStartMethods judges{methods.face_detector(),
-                                   methods.coil_trackers.create(methods.coil_trackers.defaultName()),
-                                   coilOf(choice.coil)};
-  return workflow::openVerified(methods.cameras, rig, std::move(judges), repairOf(choice.rig),
-                                [choice](const workflow::RigStart& found) { tellStart(choice, found); });
+  steps::RigStartMethods judges{methods.face_detector(),
+                                methods.coil_trackers.create(methods.coil_trackers.defaultName()),
+                                coilOf(choice.coil)};
+  return steps::openVerified(methods.cameras, rig, std::move(judges), repairOf(choice.rig),
+                             [choice](const steps::RigStart& found) { tellStart(choice, found); });
 }
 
-void requireUnmoved(workflow::VerifiedCameras& cameras, const std::string& rig) {
+void requireUnmoved(steps::VerifiedCameras& cameras, const std::string& rig) {
   cameras.settle(kSettleRig_s);
   const auto found = cameras.standing();
   if (found->isWithheld()) throw Error("not aligned: " + found->words(), rig, repairOf(rig));
@@ -119,12 +119,12 @@ cameras::StereoFrame takeMarked(capture::FrameSource& source, const LiveChoice& 
                                 const Context& context) {
   constexpr double kLimit_s = 30;
   const auto& methods = context.registrations;
-  workflow::MarkedStill still(
+  steps::MarkedStill still(
       source.rig(), {methods.face_detector(),
                      methods.coil_trackers.create(methods.coil_trackers.defaultName()), coilOf(choice.coil)});
   if (!context.is_quiet)
     std::fprintf(stderr, "look at the cameras; %s; the picture is taken by itself\n", still.words().c_str());
-  workflow::takeMarkedStill(source, still, kLimit_s, context.monitor);
+  steps::takeMarkedStill(source, still, kLimit_s, context.monitor);
   return still.still();
 }
 

@@ -9,9 +9,9 @@
 
 #include "commands/coil_option.h"
 #include "context.h"
+#include "facenav/align/marked_still.h"
 #include "facenav/capture/recording.h"
-#include "facenav/workflow/marked_still.h"
-#include "facenav/workflow/verified_cameras.h"
+#include "facenav/setup/verified_cameras.h"
 
 namespace facenav::app {
 
@@ -32,9 +32,9 @@ void addVerifyingCoilOptions(CLI::App& verb, LiveChoice& choice);
 std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const Context& context);
 /// The cameras of choice.rig. What is found is said in one line and kept with the rig; frames of cameras that
 /// have moved carry their fault (StereoFrame::rig_fault). Throws as openLive.
-std::unique_ptr<workflow::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context);
+std::unique_ptr<steps::VerifiedCameras> openVerifiedRig(const LiveChoice& choice, const Context& context);
 /// Waits for the first answer, some seconds. Throws Error: the rig has moved, and how it is repaired.
-void requireUnmoved(workflow::VerifiedCameras& cameras, const std::string& rig);
+void requireUnmoved(steps::VerifiedCameras& cameras, const std::string& rig);
 /// Asks on the terminal for the projector on, then off, and takes a pair each time. Throws Error: standard
 /// input has ended.
 capture::CapturePair askForCapture(capture::FrameSource& source);

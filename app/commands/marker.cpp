@@ -37,7 +37,7 @@ void addMarker(CLI::App& app, Context& context) {
     model.markers = {request->marker};
     if (!request->coil.empty())
       model = coil_tracking::readCoil(
-          workflow::coilFileOf(request->coil, workflow::coilLibrary(request->library)));
+          coil_library::coilFileOf(request->coil, coil_library::coilLibrary(request->library)));
     coil_tracking::writeMarkerPage(model, request->output);
     if (!context.is_quiet)
       std::printf("%s: print at 100 %%, then check the 100 mm line\n", request->output.c_str());

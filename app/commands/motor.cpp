@@ -9,8 +9,8 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/hotspot.h"
-#include "facenav/workflow/session_notes.h"
+#include "facenav/report/session_notes.h"
+#include "facenav/treat/hotspot.h"
 
 namespace facenav::app {
 namespace {
@@ -25,7 +25,7 @@ surface::TriangleMesh cortexOf(const casefile::CaseStore& store) {
 
 Json pointOf(const Point<Mri>& p) { return {p.mm.x(), p.mm.y(), p.mm.z()}; }
 
-Json toJson(const workflow::Hotspot& h) {
+Json toJson(const steps::Hotspot& h) {
   return {{"unit", h.is_share ? "share" : "uV"},
           {"pulses", h.pulses},
           {"without_place", h.without_place},
@@ -45,7 +45,7 @@ std::string words(const Point<Mri>& p) {
   return text;
 }
 
-void print(const workflow::Hotspot& h) {
+void print(const steps::Hotspot& h) {
   std::printf("%d pulses with an answer, %d responses%s\n", h.pulses, h.map.responses,
               h.is_share ? " (twitches, no MEPs)" : "");
   if (h.without_place > 0) std::printf("%d more have no place on the cortex: left out\n", h.without_place);
@@ -65,16 +65,16 @@ struct Notes {
 using Entry = std::pair<const char*, std::string>;
 
 std::vector<Entry> entriesOf(const Notes& notes) {
-  namespace events = workflow::session_events;
+  namespace events = report::session_events;
   std::vector<Entry> entries;  // all are checked before the first is written
-  if (notes.pain_before) entries.emplace_back(events::kPainBefore, workflow::painWords(*notes.pain_before));
-  if (notes.pain_after) entries.emplace_back(events::kPainAfter, workflow::painWords(*notes.pain_after));
+  if (notes.pain_before) entries.emplace_back(events::kPainBefore, report::painWords(*notes.pain_before));
+  if (notes.pain_after) entries.emplace_back(events::kPainAfter, report::painWords(*notes.pain_after));
   const Entry texts[] = {{events::kAdverse, notes.adverse},
                          {events::kOperator, notes.by},
                          {events::kMuscle, notes.muscle},
                          {events::kStimulator, notes.stimulator}};
   for (const auto& [event, text] : texts)
-    if (!text.empty()) entries.emplace_back(event, workflow::noteWords(text, event));
+    if (!text.empty()) entries.emplace_back(event, report::noteWords(text, event));
   return entries;
 }
 
@@ -97,8 +97,8 @@ void addHotspot(CLI::App& app, Context& context) {
     (void)context;
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto folder = casefile::findSession(store.folder(), request->session);
-    const auto hotspot = workflow::hotspotOf(cortexOf(store), casefile::readSessionPulses(folder),
-                                             casefile::readTwitches(folder));
+    const auto hotspot = steps::hotspotOf(cortexOf(store), casefile::readSessionPulses(folder),
+                                          casefile::readTwitches(folder));
     if (!hotspot)
       throw Error("no pulse with a pose has a response of the muscle", folder.string(),
                   "enter MEPs or twitches first");

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/overlays.h"
+#include "facenav/plan/overlays.h"
 
 namespace facenav::app {
 namespace {
@@ -47,24 +47,24 @@ void change(const OverlayRequest& request, const casefile::CaseStore& store) {
     if (request.full) entry.full = *request.full;
     if (request.opacity) entry.opacity = *request.opacity;
     if (!request.unit.empty()) entry.unit = request.unit;
-    return workflow::changeOverlay(store, entry);
+    return steps::changeOverlay(store, entry);
   }
   throw Error("the case has no overlay '" + request.name + "'", store.folder().string(),
               "--list-overlays shows its names");
 }
 
 void add(const OverlayRequest& request, const casefile::CaseStore& store) {
-  workflow::NewOverlay wanted;
+  steps::NewOverlay wanted;
   wanted.file = request.file;
   wanted.name = request.name;
   if (!request.space.empty()) wanted.space = casefile::overlaySpaceFrom(request.space);
   wanted.threshold = request.threshold;
   wanted.full = request.full;
   wanted.opacity = request.opacity.value_or(wanted.opacity);
-  OverlayEntry entry = workflow::addOverlay(store, wanted);
+  OverlayEntry entry = steps::addOverlay(store, wanted);
   if (request.unit.empty()) return;
   entry.unit = request.unit;
-  workflow::changeOverlay(store, entry);
+  steps::changeOverlay(store, entry);
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ bool overlaySteps(const OverlayRequest& request, const casefile::CaseStore& stor
                   bool is_quiet) {
   const bool changes = request.file.empty() && (request.threshold || request.full || request.opacity ||
                                                 !request.unit.empty() || !request.name.empty());
-  for (const std::string& name : request.removed) workflow::removeOverlay(store, name);
+  for (const std::string& name : request.removed) steps::removeOverlay(store, name);
   if (!request.file.empty()) add(request, store);
   if (changes) change(request, store);
   const bool has_edited = !request.removed.empty() || !request.file.empty() || changes;

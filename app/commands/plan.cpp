@@ -1,5 +1,5 @@
 // facenav plan CASE: targets from presets, grids, copies, mirror images; landmarks and measures of the head;
-// the protocol. Without an option it lists the targets. One option is one step; all use workflow::PlanEditor,
+// the protocol. Without an option it lists the targets. One option is one step; all use steps::PlanEditor,
 // as the window does.
 
 #include <unistd.h>
@@ -20,14 +20,14 @@
 #include "facenav/guidance/handle.h"
 #include "facenav/pictures/plan_picture.h"
 #include "facenav/pictures/titled_row.h"
+#include "facenav/plan/case_landmarks.h"
+#include "facenav/plan/coil_slice_sheet.h"
+#include "facenav/plan/overlays.h"
+#include "facenav/plan/plan_editor.h"
+#include "facenav/prepare/case_pictures.h"
 #include "facenav/scene/png.h"
 #include "facenav/volume/map_peak.h"
 #include "facenav/volume/nifti.h"
-#include "facenav/workflow/case_landmarks.h"
-#include "facenav/workflow/case_pictures.h"
-#include "facenav/workflow/coil_slice_sheet.h"
-#include "facenav/workflow/overlays.h"
-#include "facenav/workflow/plan_editor.h"
 
 namespace facenav::app {
 namespace {
@@ -71,8 +71,9 @@ class PlanSteps {
 
   void run() {
     if (!request_.coil.empty())
-      casefile::setCoil(store_.folder(),
-                        workflow::coilFileOf(request_.coil, workflow::coilLibrary(request_.coil_library)));
+      casefile::setCoil(
+          store_.folder(),
+          coil_library::coilFileOf(request_.coil, coil_library::coilLibrary(request_.coil_library)));
     bool has_done = landmarkSteps();
     has_done |= protocolSteps();
     has_done |= targetSteps();
@@ -85,25 +86,23 @@ class PlanSteps {
   }
 
  private:
-  const workflow::PlannedHead& head() {
+  const steps::PlannedHead& head() {
     if (!head_) {
-      head_ = workflow::plannedHead(store_);
+      head_ = steps::plannedHead(store_);
     }
     return *head_;
   }
-  workflow::HeadMeasures headMeasures() {
-    return {head().scalp, workflow::landmarksOf(store_, *head().scalp)};
-  }
+  steps::HeadMeasures headMeasures() { return {head().scalp, steps::landmarksOf(store_, *head().scalp)}; }
 
   bool landmarkSteps() {
     std::vector<std::pair<surface::Landmark, Point<Mri>>> places;
     for (const std::string& text : request_.set_landmarks) places.push_back(readLandmark(text));
-    for (const auto& [which, p] : places) workflow::setLandmark(store_, *head().scalp, which, p, request_.by);
+    for (const auto& [which, p] : places) steps::setLandmark(store_, *head().scalp, which, p, request_.by);
     for (const std::string& name : request_.find_landmarks)
-      workflow::findLandmarkAgain(store_, *head().scalp, surface::landmarkFrom(name));
+      steps::findLandmarkAgain(store_, *head().scalp, surface::landmarkFrom(name));
     const bool has_set = !request_.set_landmarks.empty() || !request_.find_landmarks.empty();
     if (request_.lists_landmarks || (has_set && !is_quiet_))
-      printLandmarks(workflow::landmarksOf(store_, *head().scalp), request_.is_json);
+      printLandmarks(steps::landmarksOf(store_, *head().scalp), request_.is_json);
     return has_set || request_.lists_landmarks;
   }
 
@@ -117,9 +116,9 @@ class PlanSteps {
   }
 
   bool targetSteps() {
-    auto planned = workflow::plannedCase(store_, request_.by);
+    auto planned = steps::plannedCase(store_, request_.by);
     planned.head = [this] { return head(); };
-    workflow::PlanEditor editor(planned);
+    steps::PlanEditor editor(planned);
     editor.begin();
     if (!request_.preset.empty()) addPreset(editor);
     if (!request_.map.empty()) addPeak(editor);
@@ -144,22 +143,22 @@ class PlanSteps {
     return has_edited_;
   }
 
-  void addPreset(workflow::PlanEditor& editor) {
-    const auto& preset = workflow::presetNamed(request_.preset);
+  void addPreset(steps::PlanEditor& editor) {
+    const auto& preset = steps::presetNamed(request_.preset);
     const auto map = store_.atlas();
-    const auto place = workflow::placeOf(preset, map ? &*map : nullptr, headMeasures());
+    const auto place = steps::placeOf(preset, map ? &*map : nullptr, headMeasures());
     editor.addTarget(place, request_.name.empty() ? preset.name : request_.name, wish());
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
 
-  void addPeak(workflow::PlanEditor& editor) {
+  void addPeak(steps::PlanEditor& editor) {
     const auto wanted = request_.wants_lowest ? volume::PeakOf::lowest : volume::PeakOf::highest;
     const auto& centre = request_.within;
     const auto map = volume::readNifti(request_.map);
     const bool is_mni = volume::spaceOfMap(map, request_.map_space, request_.map) == volume::MapSpace::mni;
     const auto peak =
         volume::peakWithin(map.volume, {centre[0], centre[1], centre[2]}, request_.radius_mm, wanted);
-    workflow::PresetPlace place;
+    steps::PresetPlace place;
     place.cortex = Point<Mri>(peak.place_mm);
     if (is_mni) place.cortex = atlas().toMri(Point<Mni>(peak.place_mm));
     const Eigen::Vector3d& p = peak.place_mm;
@@ -170,7 +169,7 @@ class PlanSteps {
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
 
-  workflow::CoilWish wish() const { return {request_.handle_deg * kRadPerDeg, request_.gap_mm}; }
+  steps::CoilWish wish() const { return {request_.handle_deg * kRadPerDeg, request_.gap_mm}; }
 
   atlas::AtlasMap atlas() const {
     if (const auto map = store_.atlas()) return *map;
@@ -183,7 +182,7 @@ class PlanSteps {
             request_.grid_on == "cortex" ? guidance::GridOn::cortex : guidance::GridOn::scalp};
   }
 
-  void mirror(workflow::PlanEditor& editor) {
+  void mirror(steps::PlanEditor& editor) {
     const atlas::AtlasMap map = atlas();
     editor.mirror([&](const Point<Mri>& p) {
       Point<Mni> there = map.toMni(p);
@@ -212,18 +211,17 @@ class PlanSteps {
     scene::SliceScene scene;
     scene.mri = std::make_shared<const volume::Volume>(store_.mri());
     scene::setUsualWindow(scene);
-    scene.overlays = workflow::loadOverlays(store_, scene.mri->grid);
+    scene.overlays = steps::loadOverlays(store_, scene.mri->grid);
     const auto plan = store_.targets();
     std::vector<RgbImage> rows;
     for (const auto& target : plan.targets)
       if (request_.target.empty() || target.name == plan.find(request_.target).name)
-        rows.push_back(workflow::coilSliceSheet(scene, target, head().plate,
-                                                workflow::alignedBound95_mm(store_, target)));
+        rows.push_back(
+            steps::coilSliceSheet(scene, target, head().plate, steps::alignedBound95_mm(store_, target)));
     if (rows.empty()) throw Error("the case has no target", store_.folder().string(), "add one first");
     for (const auto& entry : casefile::readOverlays(store_.folder()))
-      if (entry.is_shown && entry.kind == casefile::OverlayKind::map)
-        rows.push_back(workflow::mapScale(entry));
-    workflow::writePrivatePng(pictures::stacked(rows), request_.slices);
+      if (entry.is_shown && entry.kind == casefile::OverlayKind::map) rows.push_back(steps::mapScale(entry));
+    steps::writePrivatePng(pictures::stacked(rows), request_.slices);
   }
 
   void compare() {
@@ -237,7 +235,7 @@ class PlanSteps {
   const PlanRequest& request_;
   bool is_quiet_, has_edited_ = false;
   casefile::CaseStore store_;
-  std::optional<workflow::PlannedHead> head_;
+  std::optional<steps::PlannedHead> head_;
 };
 
 void addTargetOptions(CLI::App& verb, PlanRequest& request) {

@@ -24,7 +24,7 @@ void printJson(const Json& json) {
 
 void printPresets(bool is_json) {
   Json list = Json::array();
-  for (const auto& preset : workflow::presets()) {
+  for (const auto& preset : steps::presets()) {
     if (!is_json) {
       std::printf("%-14s %s (%s)\n", preset.name.c_str(), preset.words.c_str(), preset.source.c_str());
       continue;
@@ -62,7 +62,7 @@ void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json) {
   if (is_json) printJson({{"landmarks", list}});
 }
 
-void printMeasures(const workflow::HeadMeasures& measures, bool is_json) {
+void printMeasures(const steps::HeadMeasures& measures, bool is_json) {
   const auto& eeg = measures.eegSites();
   const auto& beam = measures.beamF3();
   if (is_json) {
@@ -91,7 +91,7 @@ void printMeasures(const workflow::HeadMeasures& measures, bool is_json) {
               beam.point.mm.z(), beam.lengths.x_mm, beam.lengths.y_mm);
 }
 
-void printPlan(const guidance::TreatmentPlan& plan, const workflow::PlannedHead& head, bool is_json) {
+void printPlan(const guidance::TreatmentPlan& plan, const steps::PlannedHead& head, bool is_json) {
   Json list = Json::array();
   for (const auto& target : plan.targets) {
     const auto contact = guidance::contactOf(target, *head.scalp, head.plate);

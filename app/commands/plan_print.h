@@ -3,16 +3,16 @@
 
 #include "facenav/casefile/protocol.h"
 #include "facenav/guidance/compare_targets.h"
-#include "facenav/workflow/presets.h"
+#include "facenav/plan/presets.h"
 
 namespace facenav::app {
 
 void printPresets(bool is_json);
 void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json);
 /// Tape measures, the EEG sites with their errors, and Beam F3.
-void printMeasures(const workflow::HeadMeasures& measures, bool is_json);
+void printMeasures(const steps::HeadMeasures& measures, bool is_json);
 /// The targets, with how the plate stands on the head.
-void printPlan(const guidance::TreatmentPlan& plan, const workflow::PlannedHead& head, bool is_json);
+void printPlan(const guidance::TreatmentPlan& plan, const steps::PlannedHead& head, bool is_json);
 void printDifference(const std::string& first, const std::string& second,
                      const guidance::TargetDifference& difference, double along_scalp_mm, bool is_json);
 void printProtocol(const std::optional<casefile::Protocol>& protocol, bool is_json);

@@ -3,14 +3,14 @@
 #include <cstdio>
 
 #include "commands/commands.h"
-#include "facenav/workflow/prepare_case.h"
+#include "facenav/prepare/prepare_case.h"
 #include "navigation_sheet.h"
 
 namespace facenav::app {
 
 void addPrepare(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand("prepare", "MRI (DICOM or NIfTI) -> case: masks, scalp, brain model");
-  auto request = std::make_shared<workflow::PrepareRequest>();
+  auto request = std::make_shared<steps::PrepareRequest>();
   request->head_segmenter = context.registrations.head_segmenters.defaultName();
   request->brain_segmenter = context.registrations.brain_segmenters.defaultName();
   verb->add_option("INPUT", request->input,
@@ -26,7 +26,7 @@ void addPrepare(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"automatic", "sform", "qform"}))
       ->capture_default_str();
   verb->add_option("--brain", request->brain_segmenter,
-                   "brain segmentation: " + workflow::namesOf(context.registrations.brain_segmenters))
+                   "brain segmentation: " + steps::namesOf(context.registrations.brain_segmenters))
       ->capture_default_str();
   verb->add_flag(
       "--replace", request->replace,
@@ -41,7 +41,7 @@ void addPrepare(CLI::App& app, Context& context) {
           "label the case with the patient's name from the DICOM files, which no case holds unless asked")
       ->excludes(label);
   verb->callback([&context, request] {
-    const auto outcome = workflow::prepareCase(context.registrations, *request, context.monitor);
+    const auto outcome = steps::prepareCase(context.registrations, *request, context.monitor);
     if (context.is_quiet) return;
     for (const auto& line : outcome.description) std::printf("%s\n", line.c_str());
     if (outcome.brain_ml) std::printf("brain: %.0f ml\n", *outcome.brain_ml);

@@ -23,7 +23,7 @@ PulseKeys::~PulseKeys() {
   if (before_) ::tcsetattr(STDIN_FILENO, TCSANOW, &*before_);
 }
 
-bool PulseKeys::look(workflow::Treatment& treatment) {
+bool PulseKeys::look(steps::Treatment& treatment) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   while (has_input_ && ::poll(&input, 1, 0) > 0) {
     char keys[64];

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 
 namespace facenav::app {
 
@@ -18,7 +18,7 @@ class PulseKeys {
   PulseKeys(const PulseKeys&) = delete;
   PulseKeys& operator=(const PulseKeys&) = delete;
   /// Takes the keys that were pressed. False: the session is to end.
-  bool look(workflow::Treatment& treatment);
+  bool look(steps::Treatment& treatment);
 
  private:
   std::optional<termios> before_;  // the terminal's own settings

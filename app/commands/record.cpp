@@ -4,14 +4,14 @@
 
 #include "commands/commands.h"
 #include "commands/live_option.h"
-#include "facenav/workflow/record_live.h"
+#include "facenav/setup/record_live.h"
 
 namespace facenav::app {
 namespace {
 
 struct RecordVerb {
   LiveChoice cameras;
-  workflow::RecordRequest request;
+  steps::RecordRequest request;
   std::string capture;  // "dots", "plain"
 };
 
@@ -24,7 +24,7 @@ void runRecord(Context& context, RecordVerb verb) {
   verb.request.frames_per_s = verb.cameras.frames_per_s();
   if (verb.capture == "dots") verb.request.capture = askForCapture(*source);
   verb.request.keeps_first_as_plain = verb.capture == "plain";
-  const auto outcome = workflow::recordLive(*source, verb.request, context.monitor);
+  const auto outcome = steps::recordLive(*source, verb.request, context.monitor);
   if (!context.is_quiet) std::printf("%s: %s\n", verb.request.folder.c_str(), outcome.words().c_str());
   if (!outcome.ended_by.empty() && !context.monitor.isCancelled())
     throw Error(outcome.ended_by + "; what was recorded before is kept", verb.request.folder.string());

@@ -10,9 +10,9 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/report/session_report.h"
+#include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
-#include "facenav/workflow/pulse_pictures.h"
-#include "facenav/workflow/session_report.h"
 #include "virtual_display.h"
 
 namespace facenav::app {
@@ -24,7 +24,7 @@ struct ReportRequest {
   std::string session;
   std::optional<fs::path> output, pdf;
   bool is_pdf_wanted = false, has_no_pictures = false;
-  workflow::ReportOptions options;
+  report::ReportOptions options;
 };
 
 /// A private display where there is none; nothing if that cannot be had either: then there are no pictures.
@@ -65,9 +65,9 @@ void makeReport(const ReportRequest& request, const Context& context) {
     for (const auto& problem : session.pulses.problems) std::fprintf(stderr, "note: %s\n", problem.c_str());
   const auto display = request.has_no_pictures ? nullptr : displayForPictures(context);
   auto options = request.options;
-  if (!request.has_no_pictures) options.pictures = workflow::pulsePictures(store, session);
+  if (!request.has_no_pictures) options.pictures = steps::pulsePictures(store, session);
   const auto page = request.output.value_or(folder / "report.html");
-  writeWholeFile(page, workflow::sessionReport(store, session, options), FileAccess::owner_only);
+  writeWholeFile(page, report::sessionReport(store, session, options), FileAccess::owner_only);
   if (!context.is_quiet) std::printf("%s\n", page.c_str());
   if (!request.is_pdf_wanted && !request.pdf) return;
   const auto pdf = request.pdf.value_or(fs::path(page).replace_extension(".pdf"));

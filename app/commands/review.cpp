@@ -11,8 +11,8 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/workflow/mep_import.h"
-#include "facenav/workflow/session_review.h"
+#include "facenav/report/session_review.h"
+#include "facenav/review/mep_import.h"
 
 namespace facenav::app {
 namespace {
@@ -25,11 +25,11 @@ std::string dumped(const Json& json) {
 
 Json known(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json toJson(const std::optional<workflow::Spread>& spread) {
+Json toJson(const std::optional<report::Spread>& spread) {
   return spread ? Json{{"median", spread->median}, {"p95", spread->p95}} : Json();
 }
 
-Json toJson(const workflow::SessionSummary& s) {
+Json toJson(const report::SessionSummary& s) {
   return {{"session", s.name},
           {"started_utc", s.started_utc},
           {"duration_s", known(s.duration_s)},
@@ -94,7 +94,7 @@ std::string minutes(const std::optional<double>& seconds) {
   return formatted("%ld:%02ld", std::lround(*seconds) / 60, std::lround(*seconds) % 60);
 }
 
-void print(const workflow::SessionSummary& s) {
+void print(const report::SessionSummary& s) {
   const std::string distance =
       s.distance_mm ? formatted("%.1f/%.1f", s.distance_mm->median, s.distance_mm->p95) : "-";
   std::printf("%-19s %8s %7d %9d %8d %5d %9d %11s %10s %7d %8d%s%s\n", s.name.c_str(),
@@ -137,10 +137,10 @@ void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder
   std::vector<casefile::MepEdit> typed;
   for (const auto& words : request.set_meps) typed.push_back(mepFrom(words, request.by));
   if (request.mep_file) {
-    const auto file = workflow::readMepFile(*request.mep_file);
+    const auto file = steps::readMepFile(*request.mep_file);
     const auto session = casefile::readSessionPulses(folder);
     auto match =
-        workflow::matchMeps(file, session.pulses, request.offset_s, settingsOf<workflow::MepImportLimits>());
+        steps::matchMeps(file, session.pulses, request.offset_s, settingsOf<steps::MepImportLimits>());
     for (const auto& words : match.left_out)
       if (!context.is_quiet)
         std::fprintf(stderr, "note: %s, %s: left out\n", file.name.c_str(), words.c_str());
@@ -149,7 +149,7 @@ void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder
                   "is it this session's file?");
     for (auto& edit : match.edits) edit.by = request.by;
     typed.insert(typed.end(), match.edits.begin(), match.edits.end());
-    if (!context.is_quiet) std::printf("%s\n", workflow::mepMatchWords(match, file).c_str());
+    if (!context.is_quiet) std::printf("%s\n", steps::mepMatchWords(match, file).c_str());
   }
   casefile::editMeps(folder, typed);
 }
@@ -198,7 +198,7 @@ void addSessions(CLI::App& app, Context& context) {
       return compareSessions(request->case_folder, request->compared[0], request->compared[1],
                              request->is_json);
     const auto store = casefile::CaseStore::open(request->case_folder);
-    const auto sessions = workflow::summariseSessions(store.folder());
+    const auto sessions = report::summariseSessions(store.folder());
     if (request->is_json) {
       auto json = Json::array();
       for (const auto& session : sessions) json.push_back(toJson(session));

@@ -8,7 +8,7 @@
 #include "facenav/capture/calibration_images.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/log.h"
-#include "facenav/workflow/verify_rig.h"
+#include "facenav/health/verify_rig.h"
 
 namespace facenav::app {
 namespace {
@@ -57,14 +57,14 @@ void takeAll(const capture::NamedRig& rig, const RigRequest& request, const Cont
              take);
 }
 
-std::string checkJson(const workflow::RigVerification& result) {
+std::string checkJson(const health::RigVerification& result) {
   CheckJson lengths = CheckJson::array();
   for (const auto& length : result.lengths)
     lengths.push_back({{"what", length.what},
                        {"true_mm", length.true_mm},
                        {"measured_mm", length.measured_mm},
                        {"sigma_mm", length.sigma_mm}});
-  const CheckJson json = {{"state", workflow::toString(result.state)},
+  const CheckJson json = {{"state", health::toString(result.state)},
                           {"words", result.words()},
                           {"frames", result.frames},
                           {"board_frames", result.board_frames},
@@ -88,18 +88,20 @@ void checkRig(const RigRequest& request, Context& context) {
   const auto coil =
       request.coil.empty() ? coil_tracking::defaultCoil() : coil_tracking::readCoil(request.coil);
   const auto& trackers = context.registrations.coil_trackers;
-  workflow::RigVerifier verifier(rig.rig, boardOf(request), trackers.create(trackers.defaultName()), coil);
+  health::RigVerifier verifier(
+      rig.rig, boardOf(request),
+      coil_tracking::squareFinder(trackers.create(trackers.defaultName()), rig.rig, coil));
   takeAll(rig, request, context, [&](const cameras::StereoFrame& frame) { verifier.add(frame); });
-  const workflow::RigVerification result = verifier.result();
-  store.note(request.name, {rigUtcNow(), workflow::toString(result.state), result.words()});
+  const health::RigVerification result = verifier.result();
+  store.note(request.name, {rigUtcNow(), health::toString(result.state), result.words()});
   if (request.is_json) {
     std::printf("%s\n", checkJson(result).c_str());
   } else {
     for (const auto& line : result.findings()) std::printf("%s\n", line.c_str());
-    if (result.state == workflow::RigState::holds)
+    if (result.state == health::RigState::holds)
       std::printf("%s: %s\n", request.name.c_str(), result.words().c_str());
   }
-  if (result.state != workflow::RigState::holds) throw Error(request.name + ": " + result.words());
+  if (result.state != health::RigState::holds) throw Error(request.name + ": " + result.words());
 }
 
 }  // namespace facenav::app

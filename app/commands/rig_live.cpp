@@ -6,7 +6,7 @@
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/board_collector.h"
+#include "facenav/setup/board_collector.h"
 
 namespace facenav::app {
 namespace {
@@ -26,16 +26,15 @@ class Prompter {
   std::string last_;
 };
 
-void prompt(Prompter& prompter, const workflow::BoardCollector& collector,
-            const workflow::BoardSight& sight) {
-  using State = workflow::BoardSight::State;
+void prompt(Prompter& prompter, const steps::BoardCollector& collector, const steps::BoardSight& sight) {
+  using State = steps::BoardSight::State;
   if (sight.state == State::taken)
     prompter.say("view " + std::to_string(collector.views().size()) + " taken; " + collector.wish());
   else if (sight.state == State::refused || sight.state == State::one_side || sight.state == State::none)
     prompter.say(sight.reason);
 }
 
-void reportRefusals(const workflow::BoardCollector& collector) {
+void reportRefusals(const steps::BoardCollector& collector) {
   for (const auto& [reason, count] : collector.refusals())
     logWarning("left out, " + std::to_string(count) + " of the pairs: " + reason);
 }
@@ -46,7 +45,7 @@ cameras::Calibration calibrateLive(capture::FrameSource& source, const RigReques
                                    Context& context) {
   const cameras::Board board = boardOf(request).value();
   const cameras::StereoRig& size = source.rig();
-  workflow::BoardCollector collector(board, {size.width_px, size.height_px});
+  steps::BoardCollector collector(board, {size.width_px, size.height_px});
   Prompter prompter(context.is_quiet);
   prompter.say(collector.wish());
   const double until_s = Timestamp::now().s + request.within_s;
@@ -65,7 +64,7 @@ cameras::Calibration calibrateLive(capture::FrameSource& source, const RigReques
 cameras::Calibration calibrateChosen(const RigRequest& request, Context& context) {
   const auto pairs = capture::readCalibrationImages(request.left, request.right);
   const cameras::Board board = boardOf(request).value();
-  workflow::BoardCollector collector(board, pairs.front().left.size());
+  steps::BoardCollector collector(board, pairs.front().left.size());
   for (const auto& pair : pairs) {
     const auto sight = collector.addStill(pair);
     if (!context.is_quiet && !sight.reason.empty())

@@ -7,7 +7,7 @@
 #include "facenav/cameras/calibrate.h"
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
-#include "facenav/workflow/settle_camera.h"
+#include "facenav/setup/settle_camera.h"
 
 namespace facenav::app {
 namespace {
@@ -40,8 +40,8 @@ void addCamerasTo(capture::NamedRig& rig, const cameras::StereoRig& size, const 
   capture::CameraSettings settings = request.settings;
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
-  rig.left = workflow::settledCamera(backends, capture::findCamera(found, request.left_camera), settings);
-  rig.right = workflow::settledCamera(backends, capture::findCamera(found, request.right_camera), settings);
+  rig.left = steps::settledCamera(backends, capture::findCamera(found, request.left_camera), settings);
+  rig.right = steps::settledCamera(backends, capture::findCamera(found, request.right_camera), settings);
 }
 
 /// What must be said of the pair.
@@ -83,7 +83,7 @@ void makeRig(const RigRequest& request, Context& context) {
   } else {
     calibrateBefore(rig, request, context);
   }
-  rig.uncertainty = workflow::uncertaintyAt(rig.rig, request.distance_mm);
+  rig.uncertainty = steps::uncertaintyAt(rig.rig, request.distance_mm);
   store.write(rig, request.is_replacing ? Existing::replace : Existing::refuse);
   std::printf("%s: %d x %d px, %.1f mm apart, %s: %s\n", rig.name.c_str(), rig.rig.width_px,
               rig.rig.height_px, rig.rig.baseline_mm(), uncertaintyInWords(rig).c_str(),

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "facenav/coil_library/coil_library.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/coil_library.h"
 
 namespace facenav::app {
 namespace {
@@ -47,7 +47,7 @@ double numberFrom(const std::string& text, const char* what) {
   throw Error("not understood: '" + line.substr(0, 60) + "'", {}, "commands: " + sessionCommandWords());
 }
 
-void answer(const std::string& word, const std::string& value, workflow::Treatment& treatment) {
+void answer(const std::string& word, const std::string& value, steps::Treatment& treatment) {
   const bool is_twitch = word == "twitch";
   if (is_twitch && value != "y" && value != "n") throw Error("twitch is answered y or n");
   const bool is_kept = is_twitch ? treatment.log().answerPulse(value == "y")
@@ -55,14 +55,14 @@ void answer(const std::string& word, const std::string& value, workflow::Treatme
   if (!is_kept) throw Error("there is no pulse yet, or no such MEP", {}, "give its amplitude in uV");
 }
 
-void setIntensity(const std::string& value, workflow::Treatment& treatment) {
+void setIntensity(const std::string& value, steps::Treatment& treatment) {
   const double pct = numberFrom(value, "the intensity");
   if (!(pct >= 0 && pct <= 100)) throw Error(formatted("an intensity of %g %% is not possible", pct));
   treatment.setIntensity(pct);
 }
 
 void tellReading(const char* what, const guidance::TipReading& reading, const std::string& verdict,
-                 workflow::Treatment& treatment) {
+                 steps::Treatment& treatment) {
   if (!verdict.empty() && verdict != "right" && verdict != "wrong")
     throw Error(std::string("the ") + what + " is judged right or wrong", {},
                 "or give no such word, to read where it is");
@@ -74,8 +74,7 @@ void tellReading(const char* what, const guidance::TipReading& reading, const st
   if (reading.sigma_mm > 0) told["depth_sd_mm"] = reading.sigma_mm;
   say(told);
   if (!verdict.empty())
-    treatment.judgeTip(verdict == "right" ? workflow::TipVerdict::right : workflow::TipVerdict::wrong,
-                       reading);
+    treatment.judgeTip(verdict == "right" ? steps::TipVerdict::right : steps::TipVerdict::wrong, reading);
 }
 
 }  // namespace
@@ -87,19 +86,19 @@ std::string sessionCommandWords() {
          "px), note WORDS (an adverse event), pulse (one was given now), end";
 }
 
-bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatment) {
+bool SessionCommands::obey(const std::string& line, steps::Treatment& treatment) {
   const auto blank = line.find(' ');
   const std::string word = line.substr(0, blank),
                     rest = blank == std::string::npos ? std::string() : line.substr(blank + 1);
   if (word == "end") return false;
   if (word == "pause")
-    treatment.pause(workflow::noteWords(rest, "reason of the pause"));
+    treatment.pause(report::noteWords(rest, "reason of the pause"));
   else if (word == "resume")
     treatment.resume();
   else if (word == "target")
     treatment.chooseTargetNamed(rest);
   else if (word == "coil")
-    treatment.chooseCoil(workflow::findCoil(coil_library_, rest).model);
+    treatment.chooseCoil(coil_library::findCoil(coil_library_, rest).model);
   else if (word == "intensity")
     setIntensity(rest, treatment);
   else if (word == "mep" || word == "twitch")
@@ -113,7 +112,7 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
   else if (word == "spot")
     judgeSpot(rest, treatment);
   else if (word == "note")
-    treatment.log().addEvent(workflow::session_events::kAdverse, workflow::noteWords(rest, "note"));
+    treatment.log().addEvent(report::session_events::kAdverse, report::noteWords(rest, "note"));
   else
     refuseCommand(line);
   say({{"done", word}});
@@ -121,15 +120,15 @@ bool SessionCommands::obey(const std::string& line, workflow::Treatment& treatme
 }
 
 /// Where the coil's tip is on the MRI's skin, and what a person says of it.
-void SessionCommands::judgeTip(const std::string& verdict, workflow::Treatment& treatment) {
+void SessionCommands::judgeTip(const std::string& verdict, steps::Treatment& treatment) {
   if (!tip_check_) tip_check_ = treatment.makeTipCheck();
-  const auto reading = workflow::readTip(*treatment.session().latest(), treatment.tip(), *tip_check_);
+  const auto reading = steps::readTip(*treatment.session().latest(), treatment.tip(), *tip_check_);
   if (!reading) throw Error("head or coil is lost", {}, "show both to the cameras");
   tellReading("tip", *reading, verdict, treatment);
 }
 
 /// The same of a spot in the newest pictures: "left 312 205 right".
-void SessionCommands::judgeSpot(const std::string& words, workflow::Treatment& treatment) {
+void SessionCommands::judgeSpot(const std::string& words, steps::Treatment& treatment) {
   std::istringstream stream(words);
   std::string side, x, y, verdict;
   stream >> side >> x >> y >> verdict;
@@ -139,14 +138,14 @@ void SessionCommands::judgeSpot(const std::string& words, workflow::Treatment& t
   const Eigen::Vector2d px(numberFrom(x, "X"), numberFrom(y, "Y"));
   const auto picture = side == "left" ? stereo::PictureSide::left : stereo::PictureSide::right;
   const auto reading =
-      workflow::readPickedSpot(*treatment.session().latest(), treatment.rig(), picture, px, *tip_check_);
+      steps::readPickedSpot(*treatment.session().latest(), treatment.rig(), picture, px, *tip_check_);
   if (!reading)
     throw Error("the spot is not found in the other picture near the MRI's skin, or the head is lost", {},
                 "choose a spot with detail that both cameras see");
   tellReading("spot", *reading, verdict, treatment);
 }
 
-bool SessionCommands::readInput(workflow::Treatment& treatment) {
+bool SessionCommands::readInput(steps::Treatment& treatment) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   while (has_input_ && ::poll(&input, 1, 0) > 0) {
     char buffer[1024];
@@ -168,7 +167,17 @@ bool SessionCommands::readInput(workflow::Treatment& treatment) {
   return true;
 }
 
-void SessionCommands::tell(workflow::Treatment& treatment) {
+namespace {
+
+/// Why the head is withheld until a check passes or for a person's judgement; empty: it is not.
+std::string headWithheldIn(const session::NavigationState& state) {
+  const bool is_told = state.withheld && state.withheld->isOfAlignment();
+  return is_told ? monitoring::bannerOf(*state.withheld) : std::string();
+}
+
+}  // namespace
+
+void SessionCommands::tell(steps::Treatment& treatment) {
   for (const auto& pulse : treatment.log().takeKept()) say(toJson(pulse));
   const auto state = treatment.session().latest();
   if (state->check && state->check->number != told_check_) {
@@ -177,10 +186,12 @@ void SessionCommands::tell(workflow::Treatment& treatment) {
   }
   if (session::isCameraAway(*state) != is_camera_away_) {
     is_camera_away_ = !is_camera_away_;
-    say({{"cameras", is_camera_away_ ? "away" : "back"}, {"words", state->rig_fault}});
+    say({{"cameras", is_camera_away_ ? "away" : "back"},
+         {"words", is_camera_away_ ? session::rigFault(*state)->words() : ""}});
   }
-  if (state->frame >= 0 && state->withheld != told_withheld_) {
-    told_withheld_ = state->withheld;
+  const std::string withheld = headWithheldIn(*state);
+  if (state->frame >= 0 && withheld != told_withheld_) {
+    told_withheld_ = withheld;
     say({{"withheld", told_withheld_}});
   }
   if (treatment.isCheckDue() != is_check_due_) {
@@ -189,7 +200,7 @@ void SessionCommands::tell(workflow::Treatment& treatment) {
   }
 }
 
-bool SessionCommands::look(workflow::Treatment& treatment) {
+bool SessionCommands::look(steps::Treatment& treatment) {
   if (!has_begun_) {
     has_begun_ = true;
     const auto counts = treatment.log().counts();

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 
 namespace facenav::app {
 
@@ -17,14 +17,14 @@ class SessionCommands {
   explicit SessionCommands(std::filesystem::path coil_library) : coil_library_(std::move(coil_library)) {}
   /// Takes commands that have come, and tells what is new: pulses that are on the disk (only those: what was
   /// told survives a crash), checks, losses. Returns at once. False: the session is to end.
-  bool look(workflow::Treatment& treatment);
+  bool look(steps::Treatment& treatment);
 
  private:
-  bool readInput(workflow::Treatment& treatment);
-  bool obey(const std::string& line, workflow::Treatment& treatment);
-  void judgeTip(const std::string& verdict, workflow::Treatment& treatment);
-  void judgeSpot(const std::string& words, workflow::Treatment& treatment);
-  void tell(workflow::Treatment& treatment);
+  bool readInput(steps::Treatment& treatment);
+  bool obey(const std::string& line, steps::Treatment& treatment);
+  void judgeTip(const std::string& verdict, steps::Treatment& treatment);
+  void judgeSpot(const std::string& words, steps::Treatment& treatment);
+  void tell(steps::Treatment& treatment);
 
   std::filesystem::path coil_library_;
   std::shared_ptr<const guidance::TipCheck> tip_check_;  // made at the first use

@@ -11,13 +11,13 @@ constexpr double kLastsAtLeast_s = 0.33;
 
 std::string wrongIn(const session::NavigationState& state) {
   std::string words = session::lossInWords(state);
-  if (session::isCameraAway(state)) words += " (" + state.rig_fault + ")";
+  if (session::isCameraAway(state)) words += " (" + session::rigFault(state)->words() + ")";
   return words;
 }
 
 }  // namespace
 
-void SessionTeller::look(const workflow::Treatment& treatment) {
+void SessionTeller::look(const steps::Treatment& treatment) {
   const auto state = treatment.session().latest();
   if (is_quiet_ || state->frame < 0) return;
   const std::string wrong = wrongIn(*state);

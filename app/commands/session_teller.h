@@ -5,14 +5,14 @@
 #include <string>
 
 #include "facenav/core/timestamp.h"
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 
 namespace facenav::app {
 
 class SessionTeller {
  public:
   explicit SessionTeller(bool is_quiet) : is_quiet_(is_quiet) {}
-  void look(const workflow::Treatment& treatment);
+  void look(const steps::Treatment& treatment);
 
  private:
   bool is_quiet_;

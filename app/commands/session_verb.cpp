@@ -7,7 +7,7 @@
 #include "commands/session_commands.h"
 #include "commands/session_teller.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/session_return.h"
+#include "facenav/treat/session_return.h"
 
 namespace facenav::app {
 namespace {
@@ -17,33 +17,32 @@ constexpr const char* kKeyboard = "keyboard";
 /// A session that was cut off is not forgotten in silence.
 void noteInterrupted(const SessionVerb& verb, const Context& context) {
   if (verb.goes_on || context.is_quiet) return;
-  if (const auto session = workflow::interruptedSession(verb.case_folder))
-    std::fprintf(
-        stderr, "note: %s; --continue goes on with it\n",
-        workflow::inWords(*session, workflow::plannedPulses(verb.case_folder, session->target)).c_str());
+  if (const auto session = steps::interruptedSession(verb.case_folder))
+    std::fprintf(stderr, "note: %s; --continue goes on with it\n",
+                 steps::inWords(*session, steps::plannedPulses(verb.case_folder, session->target)).c_str());
 }
 
 /// The cameras are opened by the session, and again whenever they were away.
-workflow::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
+steps::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   LiveChoice choice = verb.live;
   choice.coil = verb.coil;
-  workflow::LiveCameras live;
+  steps::LiveCameras live;
   const capture::RigStore store(verb.live.rigs);
   live.rig = store.read(verb.live.rig).rig;
-  live.keepLearnt = [store, name = verb.live.rig](const workflow::CamerasLearnt& learnt) {
-    workflow::keepLearnt(store, name, learnt);
+  live.keepLearnt = [store, name = verb.live.rig](const steps::CamerasLearnt& learnt) {
+    steps::keepLearnt(store, name, learnt);
   };
   live.seconds = verb.seconds;
   live.open = [choice, &context] { return openLive(choice, context); };
   return live;
 }
 
-workflow::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& context) {
-  workflow::TreatRecordingRequest request;
+steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& context) {
+  steps::TreatRecordingRequest request;
   request.recording = verb.recording;
   request.case_folder = verb.case_folder;
-  const auto library = workflow::coilLibrary(verb.coil.library);
-  if (!verb.coil.words.empty()) request.coil_file = workflow::coilFileOf(verb.coil.words, library);
+  const auto library = coil_library::coilLibrary(verb.coil.library);
+  if (!verb.coil.words.empty()) request.coil_file = coil_library::coilFileOf(verb.coil.words, library);
   request.aligner = verb.aligner;
   request.head_tracker = verb.head_tracker;
   request.coil_tracker = verb.coil_tracker;
@@ -102,7 +101,7 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
                     sessionCommandWords());
 }
 
-workflow::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
+steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
   if (verb.case_folder.empty())
     throw Error("a session belongs to a case", {},
                 verb.live.rig.empty() ? "give it with --case"
@@ -110,19 +109,19 @@ workflow::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& con
   auto request = requestOf(verb, context);
   const bool has_keyboard = hasKeyboard(verb);
   noteInterrupted(verb, context);
-  SessionCommands commands(workflow::coilLibrary(verb.coil.library));
+  SessionCommands commands(coil_library::coilLibrary(verb.coil.library));
   SessionTeller teller(context.is_quiet || verb.has_commands);
   std::optional<PulseKeys> keys;
   if (has_keyboard) keys.emplace(context.is_quiet);
-  request.look = [&](workflow::Treatment& treatment) {
+  request.look = [&](steps::Treatment& treatment) {
     teller.look(treatment);
     if (keys && !keys->look(treatment)) return false;
     return !verb.has_commands || commands.look(treatment);
   };
-  return workflow::treatRecording(context.registrations, request, context.monitor);
+  return steps::treatRecording(context.registrations, request, context.monitor);
 }
 
-void printSession(const workflow::TreatRecordingOutcome& outcome) {
+void printSession(const steps::TreatRecordingOutcome& outcome) {
   const auto& pulses = outcome.pulses;
   std::printf("session %s: %d pulses on target, %d outside, %d with head or coil lost\n",
               outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
@@ -130,7 +129,7 @@ void printSession(const workflow::TreatRecordingOutcome& outcome) {
               outcome.processing_ms_median, outcome.processing_ms_p99);
 }
 
-void requireWholeSession(const workflow::TreatRecordingOutcome& outcome) {
+void requireWholeSession(const steps::TreatRecordingOutcome& outcome) {
   if (!outcome.failure.empty())
     throw Error(outcome.failure + "; the session is kept", outcome.session.filename().string());
 }

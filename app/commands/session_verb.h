@@ -10,7 +10,7 @@
 
 #include "commands/coil_option.h"
 #include "commands/live_option.h"
-#include "facenav/workflow/treat_recording.h"
+#include "facenav/treat/treat_recording.h"
 
 namespace facenav::app {
 
@@ -35,10 +35,10 @@ void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Runs until the end, Ctrl-C, or a word from standard input. Says changes (lost, found, a camera that is
 /// away) on stderr, one line each. The session is kept in each case. Throws Error.
-workflow::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
+steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
 /// Pulses, frames and times, in two lines.
-void printSession(const workflow::TreatRecordingOutcome& outcome);
+void printSession(const steps::TreatRecordingOutcome& outcome);
 /// After what the session gave was written. Throws Error if it ended before its time.
-void requireWholeSession(const workflow::TreatRecordingOutcome& outcome);
+void requireWholeSession(const steps::TreatRecordingOutcome& outcome);
 
 }  // namespace facenav::app

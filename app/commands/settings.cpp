@@ -58,7 +58,7 @@ void addSettings(CLI::App& app, Context& context) {
   verb->add_option("MODULE", request->module, "only its settings");
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
-    const auto entries = entriesOf(workflow::settingsFor(context.settings), request->module);
+    const auto entries = entriesOf(app::settingsFor(context.settings), request->module);
     auto json = nlohmann::ordered_json::array();
     std::string subject;
     for (const SettingEntry& entry : entries) {

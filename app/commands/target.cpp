@@ -10,7 +10,7 @@
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
-#include "facenav/workflow/plan_edits.h"
+#include "facenav/plan/plan_edits.h"
 
 namespace facenav::app {
 namespace {
@@ -105,13 +105,13 @@ void addTarget(CLI::App& app, Context& context) {
       return storeExpertTarget(context, store, request->expert, request->name, request->is_json);
     if (request->name.empty()) throw CLI::RequiredError("--name");
     const auto plan = store.targets();
-    if (const auto* old = workflow::find(plan, request->name); old && old->is_locked)
+    if (const auto* old = steps::find(plan, request->name); old && old->is_locked)
       throw Error("the target '" + old->name + "' is locked", store.folder().string(), "unlock it first");
-    const auto head = workflow::plannedHead(store);
+    const auto head = steps::plannedHead(store);
     const auto target =
-        workflow::targetOverCortex(head, request->name, workflow::cortexNear(head, toMri(store, *place)),
-                                   {request->handle_deg * kRadPerDeg, request->gap_mm});
-    store.setTargets(workflow::with(plan, target.name, target));
+        steps::targetOverCortex(head, request->name, steps::cortexNear(head, toMri(store, *place)),
+                                {request->handle_deg * kRadPerDeg, request->gap_mm});
+    store.setTargets(steps::with(plan, target.name, target));
     if (context.is_quiet) return;
     print(store, target.cortex_point);
     std::printf("scalp     %.1f mm above it\n", (target.scalp_point.mm - target.cortex_point.mm).norm());

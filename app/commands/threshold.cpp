@@ -10,7 +10,7 @@
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/motor_threshold.h"
+#include "facenav/treat/motor_threshold.h"
 
 namespace facenav::app {
 namespace {
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 using stimulation::ThresholdState;
 
 struct ThresholdCall {
-  workflow::ThresholdRequest search;
+  steps::ThresholdRequest search;
   std::string method = "bayes";
   std::optional<std::string> session;
   bool is_json = false;
@@ -108,7 +108,7 @@ void show(const ThresholdState& state, const std::string& words, bool is_json) {
 }
 
 /// False: the person stops here.
-bool take(workflow::MotorThreshold& search, const Reply& reply) {
+bool take(steps::MotorThreshold& search, const Reply& reply) {
   const double intensity_pct = reply.intensity_pct.value_or(search.state().next_pct.value_or(0));
   if (reply.kind == Reply::Kind::quit) return false;
   if (reply.kind == Reply::Kind::take_back)
@@ -121,7 +121,7 @@ bool take(workflow::MotorThreshold& search, const Reply& reply) {
 }
 
 void ask(const ThresholdCall& request, const Context& context) {
-  workflow::MotorThreshold search(request.search);
+  steps::MotorThreshold search(request.search);
   if (search.isResumed() && !context.is_quiet)
     std::fprintf(stderr, "note: goes on with the search of %s, %zu answers are kept (--new begins another)\n",
                  search.kept().started_utc.c_str(), search.kept().answers.size());
@@ -146,7 +146,7 @@ void ask(const ThresholdCall& request, const Context& context) {
 void showOfSession(const ThresholdCall& request, const std::filesystem::path& case_folder) {
   const auto folder = casefile::findSession(case_folder, *request.session);
   const auto answers =
-      workflow::thresholdAnswers(casefile::readSessionPulses(folder), casefile::readTwitches(folder));
+      steps::thresholdAnswers(casefile::readSessionPulses(folder), casefile::readTwitches(folder));
   if (answers.empty())
     throw Error("no pulse of the session has both an intensity and an answer of the muscle", folder.string(),
                 "enter MEPs or twitches first");

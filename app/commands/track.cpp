@@ -7,13 +7,13 @@
 #include "commands/commands.h"
 #include "commands/session_verb.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/track_recording.h"
+#include "facenav/treat/track_recording.h"
 
 namespace facenav::app {
 namespace {
 
 /// What the session of it shares with plain tracking.
-void fillSession(const workflow::TrackRequest& request, SessionVerb& session) {
+void fillSession(const steps::TrackRequest& request, SessionVerb& session) {
   session.recording = request.recording;
   session.case_folder = request.case_folder.value_or(std::filesystem::path());
   session.aligner = request.aligner;
@@ -28,8 +28,8 @@ void treat(const SessionVerb& session, const std::filesystem::path& output, Cont
   requireWholeSession(outcome);
 }
 
-void track(const workflow::TrackRequest& request, const std::filesystem::path& output, Context& context) {
-  const auto outcome = workflow::trackRecording(context.registrations, request, context.monitor);
+void track(const steps::TrackRequest& request, const std::filesystem::path& output, Context& context) {
+  const auto outcome = steps::trackRecording(context.registrations, request, context.monitor);
   casefile::writePoses(outcome.poses, output);
   if (context.is_quiet) return;
   std::printf("%d frames: head tracked in %d, coil in %d; %.1f ms a frame (median), %.1f ms (p99)\n",
@@ -57,7 +57,7 @@ void addPlaying(CLI::App& verb, SessionVerb& session) {
       ->capture_default_str();
 }
 
-void run(workflow::TrackRequest request, SessionVerb session, const std::filesystem::path& output,
+void run(steps::TrackRequest request, SessionVerb session, const std::filesystem::path& output,
          Context& context) {
   const bool is_live = !session.live.rig.empty();
   if (is_live == !request.recording.empty())
@@ -65,8 +65,8 @@ void run(workflow::TrackRequest request, SessionVerb session, const std::filesys
                 "give a RECORDING, or --live RIG");
   fillSession(request, session);
   if (is_live || !session.sources.empty()) return treat(session, output, context);
-  const auto library = workflow::coilLibrary(session.coil.library);
-  if (!session.coil.words.empty()) request.coil_file = workflow::coilFileOf(session.coil.words, library);
+  const auto library = coil_library::coilLibrary(session.coil.library);
+  if (!session.coil.words.empty()) request.coil_file = coil_library::coilFileOf(session.coil.words, library);
   track(request, output, context);
 }
 
@@ -75,7 +75,7 @@ void run(workflow::TrackRequest request, SessionVerb session, const std::filesys
 void addTrack(CLI::App& app, Context& context) {
   auto* verb =
       app.add_subcommand("track", "recording or live cameras -> poses of head and coil, frame by frame");
-  auto request = std::make_shared<workflow::TrackRequest>();
+  auto request = std::make_shared<steps::TrackRequest>();
   auto output = std::make_shared<std::filesystem::path>();
   request->aligner = context.registrations.aligners.defaultName();
   request->head_tracker = context.registrations.head_trackers.defaultName();
@@ -94,13 +94,12 @@ void addTrack(CLI::App& app, Context& context) {
                  "keep with the case how the face looked, so that it is found at once in the next session");
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
   verb->add_option("--head-tracker", request->head_tracker,
-                   "method: " + workflow::namesOf(context.registrations.head_trackers))
+                   "method: " + steps::namesOf(context.registrations.head_trackers))
       ->capture_default_str();
   verb->add_option("--coil-tracker", request->coil_tracker,
-                   "method: " + workflow::namesOf(context.registrations.coil_trackers))
+                   "method: " + steps::namesOf(context.registrations.coil_trackers))
       ->capture_default_str();
-  verb->add_option("--aligner", request->aligner,
-                   "method: " + workflow::namesOf(context.registrations.aligners))
+  verb->add_option("--aligner", request->aligner, "method: " + steps::namesOf(context.registrations.aligners))
       ->capture_default_str();
   addSessionOptions(*verb, *session);
   verb->add_option("--target", session->target, "of a session: the target; default: the case's first one");

@@ -7,7 +7,7 @@
 #include "commands/commands.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/casefile/sign_off.h"
-#include "facenav/workflow/sign_off_gate.h"
+#include "facenav/prepare/sign_off_gate.h"
 #include "navigation_sheet.h"
 
 namespace facenav::app {
@@ -95,10 +95,10 @@ void addCheck(CLI::App& app, Context& context) {
     }
     if (request->sign_off.by.empty()) {
       if (request->sign_off.acknowledges_findings || !request->sign_off.note.empty())
-        workflow::signOffChecked(store, request->sign_off);  // throws: no name given
+        steps::signOffChecked(store, request->sign_off);  // throws: no name given
       return;
     }
-    const auto sign_off = workflow::signOffChecked(store, request->sign_off);
+    const auto sign_off = steps::signOffChecked(store, request->sign_off);
     if (context.is_quiet) return;
     if (sign_off.brain_ml) std::printf("brain: %.0f ml\n", *sign_off.brain_ml);
     std::printf("checked by %s at %s\n", sign_off.by.c_str(), sign_off.utc.c_str());

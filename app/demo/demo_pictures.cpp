@@ -154,7 +154,7 @@ std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input, 
 }
 
 std::vector<evaluation::ReportFigure> drawAlignment(const casefile::CaseStore& store,
-                                                    const workflow::AlignmentOutcome& outcome,
+                                                    const steps::AlignmentOutcome& outcome,
                                                     const fs::path& folder) {
   const auto mri = store.mri();
   const auto cloud = outcome.result.camera_T_mri.inverse() * outcome.face.cloud;

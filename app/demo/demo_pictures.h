@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "facenav/align/align_from_capture.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/evaluation/html_report.h"
 #include "facenav/session/navigation_state.h"
-#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 
@@ -29,7 +29,7 @@ std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input,
 
 /// Three cross-sections of the MRI through the face with the face cloud in red.
 std::vector<evaluation::ReportFigure> drawAlignment(const casefile::CaseStore& store,
-                                                    const workflow::AlignmentOutcome& outcome,
+                                                    const steps::AlignmentOutcome& outcome,
                                                     const std::filesystem::path& folder);
 
 }  // namespace facenav::app

@@ -10,12 +10,12 @@
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/hand_knob.h"
+#include "facenav/plan/plan_edits.h"
+#include "facenav/prepare/prepare_case.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/display.h"
-#include "facenav/workflow/guide_poses.h"
-#include "facenav/workflow/plan_edits.h"
-#include "facenav/workflow/prepare_case.h"
-#include "facenav/workflow/track_recording.h"
+#include "facenav/treat/guide_poses.h"
+#include "facenav/treat/track_recording.h"
 #include "result_folder.h"
 #include "virtual_display.h"
 
@@ -61,10 +61,10 @@ guidance::Target planHandArea(const casefile::CaseStore& store) {
   if (!brain)
     throw Error("the demo's patient has no brain model", store.folder().string(), "report this, please");
   const auto atlas = store.atlas();
-  const Point<Mri> hand_area =
-      atlas ? workflow::cortexNear(workflow::plannedHead(store),
-                                   atlas->toMri(guidance::handKnob(guidance::Side::left)))
-            : guidance::handKnobGuess(*brain, guidance::Side::left);
+  const Point<Mri> hand_area = atlas
+                                   ? steps::cortexNear(steps::plannedHead(store),
+                                                       atlas->toMri(guidance::handKnob(guidance::Side::left)))
+                                   : guidance::handKnobGuess(*brain, guidance::Side::left);
   auto target = guidance::planTarget(kTarget, store.scalp(), hand_area, kHandleAngle_rad, kHairGap_mm);
   store.setTargets({{target}});
   return target;
@@ -132,12 +132,12 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   const auto patient_files = virtualPatientFiles(context);
   watch.lap("virtual patient");
 
-  workflow::PrepareRequest prepare{patient_files.dicom_folder,
-                                   folder / "case",
-                                   {},
-                                   context.registrations.head_segmenters.defaultName(),
-                                   context.registrations.brain_segmenters.defaultName()};
-  const auto prepared = workflow::prepareCase(context.registrations, prepare, context.monitor);
+  steps::PrepareRequest prepare{patient_files.dicom_folder,
+                                folder / "case",
+                                {},
+                                context.registrations.head_segmenters.defaultName(),
+                                context.registrations.brain_segmenters.defaultName()};
+  const auto prepared = steps::prepareCase(context.registrations, prepare, context.monitor);
   const casefile::CaseStore& store = prepared.store;
   const auto target = planHandArea(store);
   watch.lap("import, brain and skin model, plan");
@@ -151,14 +151,14 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   room::simulate(treatment, patient, target.mri_T_target, folder / "recording", context.monitor);
   watch.lap("virtual room: both recordings");
 
-  workflow::TrackRequest track{folder / "protractor",
-                               store.folder(),
-                               std::nullopt,
-                               context.registrations.aligners.defaultName(),
-                               context.registrations.head_trackers.defaultName(),
-                               context.registrations.coil_trackers.defaultName(),
-                               kTarget};
-  const auto protractor = workflow::trackRecording(context.registrations, track, context.monitor);
+  steps::TrackRequest track{folder / "protractor",
+                            store.folder(),
+                            std::nullopt,
+                            context.registrations.aligners.defaultName(),
+                            context.registrations.head_trackers.defaultName(),
+                            context.registrations.coil_trackers.defaultName(),
+                            kTarget};
+  const auto protractor = steps::trackRecording(context.registrations, track, context.monitor);
   const Truth protractor_truth = readRoomTruth(folder / "protractor");
   figures.protractor = evaluation::evaluateTracking(estimatesOf(protractor.poses, casefile::PoseObject::head),
                                                     protractor_truth.head, target.cortex_point.mm);
@@ -168,12 +168,12 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   track.recording = folder / "recording";
   track.coil_file = folder / "recording/coil.json";
   std::vector<std::shared_ptr<const session::NavigationState>> states;
-  const auto tracked = workflow::trackRecording(
+  const auto tracked = steps::trackRecording(
       context.registrations, track, context.monitor, [&](const session::NavigationState& state) {
         states.push_back(std::make_shared<const session::NavigationState>(state));
       });
   casefile::writePoses(tracked.poses, folder / "poses.csv");
-  const auto guidance_rows = workflow::guidePoses(store, tracked.poses, kTarget);
+  const auto guidance_rows = steps::guidePoses(store, tracked.poses, kTarget);
   guidance::writeGuidanceCsv(guidance_rows, folder / "guidance.csv");
   figures.frames_on_target =
       int(std::count_if(guidance_rows.begin(), guidance_rows.end(),

@@ -1,9 +1,9 @@
 #include "evaluate/evaluation_run.h"
 
 #include "evaluate/timed_trackers.h"
+#include "facenav/align/align_from_capture.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/session/navigator.h"
-#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 namespace {
@@ -54,8 +54,8 @@ std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& 
     const std::vector<guidance::Target> targets{target};
     const auto detector = context.registrations.face_detector();
     aligned.outcome =
-        workflow::alignFromCapture(sequence.source->rig(), *sequence.capture, workflow::AlignedFrom::dots,
-                                   {scalp, *aligner, *detector, targets}, context.monitor);
+        steps::alignFromCapture(sequence.source->rig(), *sequence.capture, measured_face::AlignedFrom::dots,
+                                {scalp, *aligner, *detector, targets}, context.monitor);
     const auto& result = aligned.outcome.result;
     run.alignment->measure_ms = processorTime_ms() - start_ms - fit.ms;
     run.alignment->fit_ms = fit.ms;
@@ -98,7 +98,7 @@ evaluation::FrameRecord record(const session::NavigationState& state, evaluation
   if (state.coil) frame.marker = state.coil->camera_T_marker.isometry();
   frame.is_marker_in_view = truth.marker && isMarkerInView(sequence.source->rig(), *truth.marker,
                                                            sequence.coil.markers.front().size_mm);
-  frame.is_camera_noticed = !state.rig_correction.empty() || !state.rig_fault.empty();
+  frame.is_camera_noticed = state.rig_correction || session::rigFault(state);
   frame.truth = std::move(truth);
   return frame;
 }

@@ -8,13 +8,13 @@
 
 #include "context.h"
 #include "evaluate/evaluation_head.h"
+#include "facenav/align/align_from_capture.h"
 #include "facenav/capture/frame_source.h"
 #include "facenav/capture/recording.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/evaluation/cloud_evaluation.h"
 #include "facenav/evaluation/run_record.h"
 #include "facenav/room/scenario.h"
-#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 
@@ -48,7 +48,7 @@ EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 /// measured only once.
 struct AlignedCapture {
   cv::Mat pattern_left;  // identifies the capture
-  workflow::AlignmentOutcome outcome;
+  steps::AlignmentOutcome outcome;
   evaluation::AlignmentRecord record;
   std::optional<evaluation::CloudFigures> cloud;
 };

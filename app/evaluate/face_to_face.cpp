@@ -5,12 +5,12 @@
 #include <map>
 
 #include "evaluate/camera_pictures.h"
+#include "facenav/align/align_from_capture.h"
 #include "facenav/cameras/reduced_pair.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/workflow/align_from_capture.h"
-#include "facenav/workflow/measured_face.h"
+#include "facenav/measured_face/measured_face.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -62,8 +62,8 @@ surface::ScalpSurface asScalp(const cameras::StereoRig& whole, const cameras::St
   const auto small = cameras::reduced(frame, times);
   surface::ScalpSurface scalp;
   scalp.has_face = true;
-  const auto at =
-      addVertices(workflow::measurePair(rig, small, small, false, detector, monitor).cloud.face, scalp.mesh);
+  const auto at = addVertices(
+      measured_face::measurePair(rig, small, small, false, detector, monitor).cloud.face, scalp.mesh);
   for (const auto& [cell, a] : at) {
     const auto [x, y] = cell;
     const auto right = at.find({x + 1, y}), down = at.find({x, y + 1}), across = at.find({x + 1, y + 1});
@@ -88,8 +88,8 @@ struct Faces {
   Pose align(const surface::ScalpSurface& scalp, const cameras::StereoRig& rig,
              const cameras::StereoFrame& frame, bool is_right_shared) const {
     const std::vector<guidance::Target> none;
-    const auto outcome = workflow::alignFromCapture(rig, {frame, frame}, workflow::AlignedFrom::plain,
-                                                    {scalp, *aligner, *detector, none}, context.monitor);
+    const auto outcome = steps::alignFromCapture(rig, {frame, frame}, measured_face::AlignedFrom::plain,
+                                                 {scalp, *aligner, *detector, none}, context.monitor);
     const Eigen::Isometry3d shared_T_left =
         is_right_shared ? rig.right_T_left.isometry() : Eigen::Isometry3d::Identity();
     return {shared_T_left * outcome.result.camera_T_mri.isometry(), outcome.result};

@@ -3,16 +3,16 @@
 #include <cstdio>
 #include <random>
 
+#include "facenav/align/marked_still.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/room/synthetic_source.h"
-#include "facenav/workflow/marked_still.h"
 
 namespace facenav::app {
 namespace {
 
-using workflow::AlignedFrom;
+using measured_face::AlignedFrom;
 
 constexpr double kMoved_deg = 0.3;  // of the right camera on its mount
 /// One way to align with its pictures.
@@ -38,15 +38,15 @@ struct Sitting {
   coil_tracking::CoilModel coil;
   std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;
 
-  workflow::AlignmentSetup setup(const surface::ScalpSurface& scalp, bool is_marker_used = false) const {
-    workflow::AlignmentSetup all{scalp, *aligner, *detector, targets};
+  steps::AlignmentSetup setup(const surface::ScalpSurface& scalp, bool is_marker_used = false) const {
+    steps::AlignmentSetup all{scalp, *aligner, *detector, targets};
     all.coil = coil;
     if (is_marker_used) all.coil_tracker = coil_tracker.get();
     return all;
   }
 };
 
-using Align = std::function<workflow::AlignmentOutcome()>;
+using Align = std::function<steps::AlignmentOutcome()>;
 
 /// camera_T_marker as the tracker shows it with these cameras; where it withholds the pose, as it measured it
 /// (second: true).
@@ -82,7 +82,7 @@ void noteCoil(const Sitting& sitting, const cameras::StereoRig& rig,
   record.coil_mm = (shown_mm - target.cortex_point.mm).norm();
   record.is_coil_withheld = measured->second;
   record.coil_bound95_mm =
-      result.coilErrorBound_mm(target.cortex_point, workflow::markerAt(target, sitting.coil));
+      result.coilErrorBound_mm(target.cortex_point, steps::markerAt(target, sitting.coil));
 }
 
 evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, const cameras::StereoRig& rig,
@@ -122,7 +122,7 @@ cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& method
   constexpr int kMostPictures = 12;
   constexpr double kFrames_per_s = 30.0;
   auto& room = *sitting.room;
-  workflow::MarkedStill still(
+  steps::MarkedStill still(
       room.rig(), {sitting.detector, sitting.context.registrations.coil_trackers.create(methods.coil_tracker),
                    sitting.coil});
   for (int i = 0; i < kMostPictures; ++i) {
@@ -172,9 +172,9 @@ void addTurned(const Sitting& sitting, const std::vector<Way>& ways,
       char name[64];
       std::snprintf(name, sizeof name, "%s: turned sideways by %.2f deg", way.name.c_str(), sign * turn_deg);
       runs.push_back(recordOf(sitting, name, rig, [&] {
-        return workflow::alignFromCapture(rig, way.pair, way.from,
-                                          sitting.setup(sitting.head.scalp, way.has_marker),
-                                          sitting.context.monitor);
+        return steps::alignFromCapture(rig, way.pair, way.from,
+                                       sitting.setup(sitting.head.scalp, way.has_marker),
+                                       sitting.context.monitor);
       }));
     }
 }
@@ -184,7 +184,7 @@ void addRefusals(const Sitting& sitting, const capture::CapturePair& pair, const
   const auto attempt = [&](AlignedFrom from, const std::string& what, const cameras::StereoRig& rig,
                            const surface::ScalpSurface& scalp) {
     runs.push_back(recordOf(sitting, std::string(nameOf(from)) + ": " + what, rig, [&] {
-      return workflow::alignFromCapture(rig, pair, from, sitting.setup(scalp), sitting.context.monitor);
+      return steps::alignFromCapture(rig, pair, from, sitting.setup(scalp), sitting.context.monitor);
     }));
     runs.back().must_be_refused = true;
   };
@@ -233,14 +233,14 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
       {"plain and marker", AlignedFrom::plain, {sitting.with_coil, sitting.with_coil}, true}};
   for (const auto& way : ways)
     runs.push_back(recordOf(sitting, way.name, room.rig(), [&] {
-      return workflow::alignFromCapture(room.rig(), way.pair, way.from,
-                                        sitting.setup(head.scalp, way.has_marker), context.monitor);
+      return steps::alignFromCapture(room.rig(), way.pair, way.from,
+                                     sitting.setup(head.scalp, way.has_marker), context.monitor);
     }));
   if (room.frameCount().value_or(0) > 1)
     runs.push_back(recordOf(sitting, "film", room.rig(), [&] {
       const auto tracker = context.registrations.head_trackers.create(methods.head_tracker);
-      return workflow::alignFromFilm(room, 0, *room.frameCount() - 1, *tracker, sitting.setup(head.scalp),
-                                     context.monitor);
+      return steps::alignFromFilm(room, 0, *room.frameCount() - 1, *tracker, sitting.setup(head.scalp),
+                                  context.monitor);
     }));
   if (tries != AlignTries::right) {
     addTurned(sitting, ways, runs);

@@ -8,10 +8,10 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/evaluation/volume_perturbation.h"
+#include "facenav/prepare/prepare_case.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
-#include "facenav/workflow/prepare_case.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -59,14 +59,14 @@ void judge(const fs::path& found, const std::optional<Mask>& truth, MaskRow& row
 
 MaskRow wholePrepare(Context& context, const PrepareTrial& trial, const std::optional<Mask>& truth) {
   const ScratchFolder scratch;
-  workflow::PrepareRequest request;
+  steps::PrepareRequest request;
   request.input = trial.volume;
   request.case_folder = scratch.path() / "case";
   request.head_segmenter = context.registrations.head_segmenters.defaultName();
   request.brain_segmenter = context.registrations.brain_segmenters.defaultName();
   auto row =
       rowOf(trial, "prepare, whole",
-            measureInChild([&] { workflow::prepareCase(context.registrations, request, context.monitor); }));
+            measureInChild([&] { steps::prepareCase(context.registrations, request, context.monitor); }));
   judge(request.case_folder / "brain_mask.nii.gz", truth, row);
   return row;
 }

@@ -4,15 +4,15 @@
 
 #include "evaluate/evaluation_run.h"
 #include "evaluate/return_visits.h"
+#include "facenav/align/face_model.h"
+#include "facenav/align/known_lengths.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
-#include "facenav/workflow/face_model.h"
-#include "facenav/workflow/known_lengths.h"
 
 namespace facenav::app {
 namespace {
 
-using workflow::AlignedFrom;
+using measured_face::AlignedFrom;
 
 constexpr const char* kFirstVisit = "first visit";
 constexpr double kSideways_deg[] = {0.05, 0.1};  // turns of the right camera that no match shows
@@ -28,12 +28,12 @@ std::vector<ReturnModel> dottedModels(const ReturnBench& bench, const Evaluation
   const auto at_target = head.target.mri_T_target.reframe<Mri, Coil>();
   const auto alignment = bench.align(room.rig(), room, pair, VisitPictures::dots, head.scalp, at_target);
   const auto& camera_T_mri = alignment.result.camera_T_mri;
-  workflow::FaceModelSetup of_mri{*bench.detector};
+  steps::FaceModelSetup of_mri{*bench.detector};
   of_mri.camera_T_mri = camera_T_mri;
   of_mri.scalp = alignment.scalp.get();
   of_mri.size_error = alignment.faceSizeError();
-  const auto measure = [&](const workflow::FaceModelSetup& setup) {
-    return workflow::measureFaceModel(room.rig(), pair, AlignedFrom::dots, setup, bench.context.monitor);
+  const auto measure = [&](const steps::FaceModelSetup& setup) {
+    return steps::measureFaceModel(room.rig(), pair, AlignedFrom::dots, setup, bench.context.monitor);
   };
   const auto in_mri = measure(of_mri);
   const auto alone = measure({*bench.detector});
@@ -55,7 +55,7 @@ struct PlainVisit {
   std::unique_ptr<room::SyntheticSource> room, film;
   cameras::StereoRig rig;
   capture::CapturePair pair;
-  workflow::FaceModelSetup alone;
+  steps::FaceModelSetup alone;
 };
 
 PlainVisit plainVisit(const ReturnBench& bench, const EvaluationHead& head, std::uint64_t seed, int frames,
@@ -71,16 +71,16 @@ PlainVisit plainVisit(const ReturnBench& bench, const EvaluationHead& head, std:
   visit.rig = beforeKnock(visit.room->rig(), seed, knock);
   visit.pair = ReturnBench::capture(*visit.room, VisitPictures::plain_with_marker);
   const auto marker =
-      workflow::markerInPair(visit.rig, visit.pair.plain, coilOf(visit.room->coil()), *bench.marker_finder);
+      steps::markerInPair(visit.rig, visit.pair.plain, coilOf(visit.room->coil()), *bench.marker_finder);
   visit.alone.marker = marker.length;
   return visit;
 }
 
-workflow::FaceModel filmedFace(const ReturnBench& bench, PlainVisit& visit) {
+steps::FaceModel filmedFace(const ReturnBench& bench, PlainVisit& visit) {
   const auto& trackers = bench.context.registrations.head_trackers;
   const auto tracker = trackers.create(trackers.defaultName());
-  return workflow::measureFaceModel(*visit.film, 0, visit.film->frameCount().value_or(1) - 1, *tracker,
-                                    visit.alone, bench.context.monitor);
+  return steps::measureFaceModel(*visit.film, 0, visit.film->frameCount().value_or(1) - 1, *tracker,
+                                 visit.alone, bench.context.monitor);
 }
 
 /// Runs `task`; a refusal is a run, too.
@@ -118,13 +118,12 @@ std::vector<ReturnModel> plainModels(const ReturnBench& bench, const EvaluationH
                        const RigidTransform<Mri, Coil>& pose) {
     models.push_back({name, skin, pose, VisitPictures::plain_with_marker});
   };
-  workflow::FaceModelSetup of_mri{*bench.detector};
+  steps::FaceModelSetup of_mri{*bench.detector};
   of_mri.camera_T_mri = by_mri.result.camera_T_mri;
   of_mri.scalp = by_mri.scalp.get();
   of_mri.size_error = by_mri.faceSizeError();
-  const auto measure = [&](const workflow::FaceModelSetup& setup) {
-    return workflow::measureFaceModel(visit.rig, visit.pair, AlignedFrom::plain, setup,
-                                      bench.context.monitor);
+  const auto measure = [&](const steps::FaceModelSetup& setup) {
+    return steps::measureFaceModel(visit.rig, visit.pair, AlignedFrom::plain, setup, bench.context.monitor);
   };
   add("MRI, plain pictures", head.scalp, expert);
   add("plain face in the MRI's frame", measure(of_mri).skin, expert);

@@ -89,27 +89,26 @@ capture::CapturePair ReturnBench::capture(room::SyntheticSource& room, VisitPict
   return {with_coil, with_coil};
 }
 
-workflow::AlignmentOutcome ReturnBench::align(const cameras::StereoRig& rig,
-                                              const room::SyntheticSource& room,
-                                              const capture::CapturePair& pair, VisitPictures pictures,
-                                              const surface::ScalpSurface& skin,
-                                              const RigidTransform<Mri, Coil>& expert) const {
+steps::AlignmentOutcome ReturnBench::align(const cameras::StereoRig& rig, const room::SyntheticSource& room,
+                                           const capture::CapturePair& pair, VisitPictures pictures,
+                                           const surface::ScalpSurface& skin,
+                                           const RigidTransform<Mri, Coil>& expert) const {
   guidance::Target target;
   target.name = "expert";
   target.mri_T_target = expert.reframe<Mri, frames::Target>();
   target.cortex_point = target.scalp_point = expert * Point<Coil>(0, 0, kKnownDepth_mm);
   const std::vector<guidance::Target> targets{target};
-  workflow::AlignmentSetup setup{skin, *aligner, *detector, targets};
+  steps::AlignmentSetup setup{skin, *aligner, *detector, targets};
   setup.coil = coilOf(room.coil());
   const bool is_plain = pictures == VisitPictures::plain_with_marker;
   if (is_plain) setup.coil_tracker = marker_finder.get();
-  return workflow::alignFromCapture(rig, pair,
-                                    is_plain ? workflow::AlignedFrom::plain : workflow::AlignedFrom::dots,
-                                    setup, context.monitor);
+  return steps::alignFromCapture(
+      rig, pair, is_plain ? measured_face::AlignedFrom::plain : measured_face::AlignedFrom::dots, setup,
+      context.monitor);
 }
 
 Seen ReturnBench::follow(room::SyntheticSource& room, const cameras::StereoRig& rig,
-                         const workflow::AlignmentOutcome& alignment, double least_share) const {
+                         const steps::AlignmentOutcome& alignment, double least_share) const {
   session::NavigatorSetup setup;
   setup.rig = rig;
   setup.reference = alignment.reference;

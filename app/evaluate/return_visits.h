@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "evaluate/return_run.h"
+#include "facenav/align/align_from_capture.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/room/synthetic_source.h"
-#include "facenav/workflow/align_from_capture.h"
 
 namespace facenav::app {
 
@@ -51,13 +51,13 @@ struct ReturnBench {
   /// The pictures of a visit that it is aligned from.
   static capture::CapturePair capture(room::SyntheticSource& room, VisitPictures pictures);
   /// `expert`: where the error is stated.
-  workflow::AlignmentOutcome align(const cameras::StereoRig& rig, const room::SyntheticSource& room,
-                                   const capture::CapturePair& pair, VisitPictures pictures,
-                                   const surface::ScalpSurface& skin,
-                                   const RigidTransform<Mri, Coil>& expert) const;
+  steps::AlignmentOutcome align(const cameras::StereoRig& rig, const room::SyntheticSource& room,
+                                const capture::CapturePair& pair, VisitPictures pictures,
+                                const surface::ScalpSurface& skin,
+                                const RigidTransform<Mri, Coil>& expert) const;
   /// The frames after `least_share` of the room's film.
   Seen follow(room::SyntheticSource& room, const cameras::StereoRig& rig,
-              const workflow::AlignmentOutcome& alignment, double least_share) const;
+              const steps::AlignmentOutcome& alignment, double least_share) const;
 };
 
 /// What nobody knows of the right camera: whether it turned since the calibration. A turn about its vertical

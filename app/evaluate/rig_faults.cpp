@@ -6,17 +6,17 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "evaluate/camera_pictures.h"
-#include "facenav/cameras/pair_matches.h"
 #include "facenav/cameras/rig_file.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/health/pair_matches.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-using cameras::PairFault;
-using Matches = std::vector<cameras::Correspondence>;
+using health::RigState;
+using Matches = std::vector<health::Correspondence>;
 
 /// Each pair of pictures is matched once, whatever calibrations it is tried with: as diagnosePair does.
 class MatchedPictures {
@@ -25,12 +25,12 @@ class MatchedPictures {
 
   const Matches& corners(const std::string& left, const std::string& right) {
     const auto [found, is_new] = corners_.try_emplace({left, right});
-    if (is_new) found->second = cameras::matchPictures(picture(left), picture(right));
+    if (is_new) found->second = health::matchPictures(picture(left), picture(right));
     return found->second;
   }
   const Matches& skin(const std::string& left, const std::string& right) {
     const auto [found, is_new] = skin_.try_emplace({left, right});
-    if (is_new) found->second = cameras::growMatches(picture(left), picture(right), corners(left, right));
+    if (is_new) found->second = health::growMatches(picture(left), picture(right), corners(left, right));
     return found->second;
   }
 
@@ -45,7 +45,7 @@ class MatchedPictures {
 
 struct Trial {
   std::string kind, left, right, calibration;  // left, right: "l_418"
-  PairFault expected;
+  RigState expected;
   cameras::StereoRig rig;
 };
 
@@ -64,7 +64,7 @@ void addMoved(const Trial& right_rig, std::vector<Trial>& trials) {
                        const Eigen::Vector3d& shift_mm) {
     Trial trial = right_rig;
     trial.kind = kind;
-    trial.expected = PairFault::moved;
+    trial.expected = RigState::moved;
     trial.rig = moved(right_rig.rig, turn_deg, shift_mm);
     trials.push_back(trial);
   };
@@ -85,34 +85,34 @@ std::vector<Trial> trialsOf(const std::map<std::string, fs::path>& files,
     std::vector<std::string> moments;
     for (const auto& moment : momentsOf(files, name[0], name[1])) moments.push_back("_" + moment);
     for (const auto& moment : moments) {
-      const Trial as_is{"right rig", name[0] + moment, name[1] + moment, name, PairFault::none, rig};
+      const Trial as_is{"right rig", name[0] + moment, name[1] + moment, name, RigState::holds, rig};
       trials.push_back(as_is);
       for (const auto& other : moments)
         if (other != moment)
-          trials.push_back({"out of step", as_is.left, name[1] + other, name, PairFault::out_of_step, rig});
-      trials.push_back({"swapped", as_is.right, as_is.left, name, PairFault::swapped, rig});
+          trials.push_back({"out of step", as_is.left, name[1] + other, name, RigState::out_of_step, rig});
+      trials.push_back({"swapped", as_is.right, as_is.left, name, RigState::swapped, rig});
       for (const auto& [other, other_rig] : rigs)
         if (other != name)
-          trials.push_back({"other rig", as_is.left, as_is.right, other, PairFault::other_rig, other_rig});
+          trials.push_back({"other rig", as_is.left, as_is.right, other, RigState::other_cameras, other_rig});
       addMoved(as_is, trials);
     }
   }
   return trials;
 }
 
-std::string wordOf(PairFault fault) {
+std::string wordOf(RigState fault) {
   switch (fault) {
-    case PairFault::none:
+    case RigState::holds:
       return "none";
-    case PairFault::out_of_step:
+    case RigState::out_of_step:
       return "out of step";
-    case PairFault::swapped:
+    case RigState::swapped:
       return "swapped";
-    case PairFault::moved:
+    case RigState::moved:
       return "moved";
-    case PairFault::other_rig:
+    case RigState::other_cameras:
       return "other rig";
-    case PairFault::unknown:
+    case RigState::unclear:
       break;
   }
   return "unknown";
@@ -130,8 +130,8 @@ std::vector<RigFaultRow> rigFaults(const fs::path& pictures, const fs::path& rig
   std::vector<RigFaultRow> rows;
   for (const auto& trial : trials) {
     monitor.report("rigs: " + trial.kind, double(rows.size()) / double(trials.size()));
-    auto said = cameras::diagnoseMatches(trial.rig, matched.corners(trial.left, trial.right));
-    if (said.isOfCameras()) said = cameras::withSkin(trial.rig, said, matched.skin(trial.left, trial.right));
+    auto said = health::diagnoseMatches(trial.rig, matched.corners(trial.left, trial.right));
+    if (said.isOfCameras()) said = health::withSkin(trial.rig, said, matched.skin(trial.left, trial.right));
     rows.push_back(
         {trial.kind, trial.left + " " + trial.right, trial.calibration, trial.expected, std::move(said)});
   }
@@ -149,8 +149,8 @@ std::string sidesTable(const std::vector<RigFaultRow>& rows) {
     for (const auto& row : rows) {
       if (row.kind != kind) continue;
       ++tried;
-      right += row.said.fault == row.expected;
-      silent += row.said.fault != row.expected && !row.said.isFault();
+      right += row.said.state == row.expected;
+      silent += row.said.state != row.expected && !row.said.isFault();
     }
     std::snprintf(line, sizeof line, "| %s | %d | %d | %d | %d |\n", kind.c_str(), tried, right, silent,
                   tried - right - silent);
@@ -161,10 +161,10 @@ std::string sidesTable(const std::vector<RigFaultRow>& rows) {
       "px "
       "|\n|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& row : rows) {
-    if (row.said.fault == row.expected) continue;
+    if (row.said.state == row.expected) continue;
     std::snprintf(line, sizeof line, "| %s | %s | %s | %s | %zu | %.2f | %.2f | %.2f | %.2f |\n",
                   row.kind.c_str(), row.pictures.c_str(), row.calibration.c_str(),
-                  wordOf(row.said.fault).c_str(), row.said.matches, row.said.residual_px,
+                  wordOf(row.said.state).c_str(), row.said.matches, row.said.residual_px,
                   row.said.calibrated_agreement, row.said.agreement, row.said.skin_px);
     text += line;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// `facenav evaluate rigs`: tests cameras::diagnosePair on images of a known rig: unchanged; with the right
+// `facenav evaluate rigs`: tests health::diagnosePair on images of a known rig: unchanged; with the right
 // image from another moment; exchanged; with another rig's calibration; and with a calibration whose right
 // camera was rotated or shifted.
 
@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "facenav/cameras/pair_diagnosis.h"
 #include "facenav/core/task_monitor.h"
+#include "facenav/health/pair_diagnosis.h"
 
 namespace facenav::app {
 
 struct RigFaultRow {
   std::string kind;  // "right rig", "out of step", "swapped", "other rig", "turned 0.25 deg", ..
   std::string pictures, calibration;
-  cameras::PairFault expected = cameras::PairFault::none;
-  cameras::PairDiagnosis said;
+  health::RigState expected = health::RigState::holds;
+  health::PairDiagnosis said;
 };
 
 /// `pictures`: files <camera>_<moment>.jpg|png, cameras named by one letter; `rigs`: <a><b>_stereo.yml.

@@ -1,14 +1,14 @@
 // The layering as a test: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in
-// the command line tool. The table is modules/README.md's; the two are changed together.
+// the command line tool. The table is read from modules/README.md.
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,44 +16,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Direct dependencies; what they may use in turn is added transitively.
-const std::map<std::string, std::set<std::string>> kMayUse{
-    {"core", {}},
-    {"geometry", {"core"}},
-    {"pacs", {"core"}},
-    {"links", {"core"}},
-    {"sounds", {"core"}},
-    {"stimulation", {"geometry"}},
-    {"anatomy", {"geometry"}},
-    {"volume", {"geometry"}},
-    {"cameras", {"geometry"}},
-    {"stereo", {"cameras"}},
-    {"face", {"cameras"}},
-    {"dicom", {"volume"}},
-    {"segmentation", {"volume", "anatomy"}},
-    {"editing", {"volume"}},
-    {"surface", {"volume", "anatomy"}},
-    {"atlas", {"volume"}},
-    {"capture", {"cameras"}},
-    {"registration", {"anatomy"}},
-    {"head_tracking", {"face", "stereo"}},
-    {"coil_tracking", {"cameras"}},
-    {"guidance", {"surface"}},
-    {"casefile", {"volume", "surface", "atlas", "cameras", "registration", "guidance", "stimulation"}},
-    {"monitoring", {"head_tracking", "coil_tracking", "registration"}},
-    {"session", {"capture", "monitoring", "guidance", "casefile", "segmentation", "links"}},
-    {"pictures", {"session", "surface", "registration"}},
-    {"evaluation", {"casefile", "capture", "stereo"}},
-    {"scene", {"volume", "surface", "guidance"}},
-    {"room", {"capture", "surface", "stereo"}},
-    {"workflow", {"session", "pictures", "scene", "dicom", "editing", "registration"}},
+const fs::path kModules = fs::path(FACENAV_SOURCE_DIR) / "modules";
+
+/// A module, where it lies, and its place in the order of the layers.
+struct Module {
+  std::string name, folder;
+  fs::path path() const { return kModules / folder / name; }
 };
 
-std::set<std::string> reachable(const std::string& module) {
-  std::set<std::string> all{module};
-  for (const auto& direct : kMayUse.at(module))
-    for (const auto& name : reachable(direct)) all.insert(name);
-  return all;
+/// The table of modules/README.md, lowest module first: lines "modules/<folder>/  module module ..", the
+/// lowest folder last.
+std::vector<Module> readTable() {
+  static const std::regex kLine(R"(^modules/([a-z]+)/ +([a-z_]+(?: [a-z_]+)*))");
+  std::vector<std::vector<Module>> folders;
+  std::ifstream stream(kModules / "README.md");
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);) {
+    if (!std::regex_search(line, match, kLine)) continue;
+    std::vector<Module> modules;
+    std::istringstream names(match[2]);
+    for (std::string name; names >> name;) modules.push_back({name, match[1]});
+    folders.push_back(modules);
+  }
+  std::vector<Module> table;
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+    table.insert(table.end(), folder->begin(), folder->end());
+  return table;
+}
+
+const std::vector<Module>& modules() {
+  static const std::vector<Module> kTable = readTable();
+  return kTable;
 }
 
 std::vector<fs::path> sourcesUnder(const fs::path& folder) {
@@ -75,26 +68,48 @@ std::vector<std::string> includesOf(const fs::path& file) {
   return found;
 }
 
-const fs::path kModules = fs::path(FACENAV_SOURCE_DIR) / "modules";
-
 TEST(Layers, EveryModuleStandsInTheTable) {
-  for (const auto& entry : fs::directory_iterator(kModules)) {
-    if (!entry.is_directory()) continue;
-    EXPECT_TRUE(kMayUse.count(entry.path().filename())) << entry.path();
+  std::set<fs::path> named;
+  for (const Module& module : modules()) {
+    EXPECT_TRUE(fs::is_directory(module.path())) << module.path();
+    EXPECT_TRUE(named.insert(module.path()).second) << module.path() << " stands twice";
+  }
+  for (const auto& folder : fs::directory_iterator(kModules)) {
+    if (!folder.is_directory()) continue;
+    for (const auto& entry : fs::directory_iterator(folder))
+      EXPECT_TRUE(named.count(entry.path())) << entry.path();
   }
 }
 
-TEST(Layers, ModulesIncludeOnlyWhatTheTableAllows) {
+TEST(Layers, ModulesIncludeOnlyThoseBelowThem) {
   static const std::regex kOurs("^facenav/([a-z_]+)/");
-  for (const auto& [module, ignored] : kMayUse) {
-    const auto allowed = reachable(module);
-    for (const auto& file : sourcesUnder(kModules / module))
+  std::set<std::string> below;
+  for (const Module& module : modules()) {
+    below.insert(module.name);
+    for (const auto& file : sourcesUnder(module.path()))
       for (const auto& include : includesOf(file)) {
         std::smatch match;
         if (!std::regex_search(include, match, kOurs)) continue;
-        EXPECT_TRUE(allowed.count(match[1])) << file << " includes " << include;
+        EXPECT_TRUE(below.count(match[1])) << file << " includes " << include;
       }
   }
+}
+
+/// The clinic's programs must not carry the laboratory.
+TEST(Layers, NobodyOutsideTheLabIncludesIt) {
+  std::set<std::string> lab;
+  for (const Module& module : modules())
+    if (module.folder == "lab") lab.insert(module.name);
+  static const std::regex kOurs("^facenav/([a-z_]+)/");
+  for (const char* part : {"app", "ui"})
+    for (const auto& file : sourcesUnder(fs::path(FACENAV_SOURCE_DIR) / part)) {
+      if (file.parent_path().filename() == "lab") continue;  // app/lab: facenav-lab's own verbs
+      for (const auto& include : includesOf(file)) {
+        std::smatch match;
+        if (std::regex_search(include, match, kOurs))
+          EXPECT_FALSE(lab.count(match[1])) << file << ": " << include;
+      }
+    }
 }
 
 TEST(Layers, NoQtBelowTheWindow) {
@@ -106,9 +121,8 @@ TEST(Layers, NoQtBelowTheWindow) {
 
 TEST(Layers, NoGdcmNorPclInAPublicHeader) {
   static const std::regex kHidden("^(gdcm|dcmtk/|pcl/|dlib/|embree)");
-  for (const auto& entry : fs::directory_iterator(kModules)) {
-    if (!entry.is_directory()) continue;
-    for (const auto& file : sourcesUnder(entry.path() / "include"))
+  for (const Module& module : modules()) {
+    for (const auto& file : sourcesUnder(module.path() / "include"))
       for (const auto& include : includesOf(file))
         EXPECT_FALSE(std::regex_search(include, kHidden)) << file << ": " << include;
   }
@@ -116,19 +130,19 @@ TEST(Layers, NoGdcmNorPclInAPublicHeader) {
 
 TEST(Layers, DicomFilesAreReadByGdcmAndTheNetworkIsDcmtk) {
   static const std::regex kGdcm("^gdcm"), kDcmtk("^dcmtk/");
-  for (const auto& [module, ignored] : kMayUse)
-    for (const auto& file : sourcesUnder(kModules / module))
+  for (const Module& module : modules())
+    for (const auto& file : sourcesUnder(module.path()))
       for (const auto& include : includesOf(file)) {
-        if (std::regex_search(include, kGdcm)) EXPECT_EQ(module, "dicom") << file << ": " << include;
-        if (std::regex_search(include, kDcmtk)) EXPECT_EQ(module, "pacs") << file << ": " << include;
+        if (std::regex_search(include, kGdcm)) EXPECT_EQ(module.name, "dicom") << file << ": " << include;
+        if (std::regex_search(include, kDcmtk)) EXPECT_EQ(module.name, "pacs") << file << ": " << include;
       }
 }
 
 /// No line of any module but `home` may match.
 void expectOnlyIn(const std::string& home, const std::regex& forbidden) {
-  for (const auto& [module, ignored] : kMayUse) {
-    if (module == home) continue;
-    for (const auto& file : sourcesUnder(kModules / module)) {
+  for (const Module& module : modules()) {
+    if (module.name == home) continue;
+    for (const auto& file : sourcesUnder(module.path())) {
       std::ifstream stream(file);
       int number = 0;
       for (std::string line; std::getline(stream, line);)
@@ -147,11 +161,12 @@ TEST(Layers, DegreesAndRadiansAreConvertedByGeometrysFactors) {
 }
 
 TEST(Layers, OpenCvInPublicHeadersOfImageModulesOnly) {
-  const std::set<std::string> allowed{"cameras", "stereo", "face",    "head_tracking", "coil_tracking",
-                                      "capture", "room",   "session", "pictures",      "evaluation"};
-  for (const auto& [module, ignored] : kMayUse) {
-    if (allowed.count(module)) continue;
-    for (const auto& file : sourcesUnder(kModules / module / "include"))
+  const std::set<std::string> allowed{
+      "cameras", "stereo", "face",    "head_tracking", "coil_tracking", "health",   "measured_face",
+      "setup",   "align",  "capture", "room",          "session",       "pictures", "evaluation"};
+  for (const Module& module : modules()) {
+    if (allowed.count(module.name)) continue;
+    for (const auto& file : sourcesUnder(module.path() / "include"))
       for (const auto& include : includesOf(file))
         EXPECT_NE(include.rfind("opencv2/", 0), 0u) << file << ": " << include;
   }

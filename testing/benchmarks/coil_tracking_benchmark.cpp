@@ -26,7 +26,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "support/stopwatch.h"
-#include "unit/coil_tracking/coil_scene.h"
+#include "unit/track/coil_tracking/coil_scene.h"
 
 using namespace facenav;
 using namespace facenav::coil_tracking;

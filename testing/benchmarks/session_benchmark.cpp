@@ -8,15 +8,15 @@
 #include <cstring>
 #include <fstream>
 
+#include "facenav/align/align_case.h"
 #include "facenav/core/log.h"
 #include "facenav/pictures/overlay_worker.h"
+#include "facenav/plan/plan_edits.h"
+#include "facenav/prepare/prepare_case.h"
 #include "facenav/room/simulate.h"
 #include "facenav/scene/coil_slices.h"
+#include "facenav/treat/treatment.h"
 #include "facenav/volume/nifti.h"
-#include "facenav/workflow/align_case.h"
-#include "facenav/workflow/plan_edits.h"
-#include "facenav/workflow/prepare_case.h"
-#include "facenav/workflow/treatment.h"
 #include "metered_session.h"
 #include "support/stopwatch.h"
 #include "support/test_data.h"
@@ -30,8 +30,8 @@ namespace {
 
 constexpr int kRounds = 4, kFramesPerRound = 1500, kFramesPerBlock = 20000;
 
-workflow::Registrations methods() {
-  workflow::Registrations all;
+steps::Registrations methods() {
+  steps::Registrations all;
   const std::shared_ptr<const face::FaceDetector> face = face::makeFaceDetector();
   all.face_detector = [face] { return face; };
   all.head_segmenters.add("head", "", segmentation::makeHeadSegmenter);
@@ -47,19 +47,19 @@ struct Places {
 };
 
 /// The virtual patient as a case with a target, and a recording of a treatment.
-void make(const workflow::Registrations& methods, const Places& places) {
+void make(const steps::Registrations& methods, const Places& places) {
   TaskMonitor monitor;
-  workflow::PrepareRequest request;
+  steps::PrepareRequest request;
   request.input = support::virtualPatientMri();
   request.case_folder = places.case_folder;
   request.head_segmenter = "head";
   request.brain_segmenter = "brain";
-  const auto prepared = workflow::prepareCase(methods, request, monitor);
-  const auto head = workflow::plannedHead(prepared.store);
+  const auto prepared = steps::prepareCase(methods, request, monitor);
+  const auto head = steps::plannedHead(prepared.store);
   const auto map = prepared.store.atlas();
-  const auto target = workflow::targetOverCortex(
-      head, "M1 hand L", workflow::cortexNear(head, map->toMri(Point<Mni>(-37, -21, 58))));
-  prepared.store.setTargets(workflow::with({}, target.name, target));
+  const auto target = steps::targetOverCortex(head, "M1 hand L",
+                                              steps::cortexNear(head, map->toMri(Point<Mni>(-37, -21, 58))));
+  prepared.store.setTargets(steps::with({}, target.name, target));
   room::ScenarioOptions options;
   options.frames = 180;
   const auto patient = std::make_shared<const room::VirtualPatient>(
@@ -69,12 +69,12 @@ void make(const workflow::Registrations& methods, const Places& places) {
 
 /// What all runs share.
 struct Stage {
-  workflow::Registrations methods;
+  steps::Registrations methods;
   casefile::CaseStore store;
-  workflow::TreatmentFilm recording;
+  steps::TreatmentFilm recording;
   Film film;
-  std::shared_ptr<const workflow::AlignmentOutcome> alignment;
-  workflow::AlignmentSeen seen;
+  std::shared_ptr<const steps::AlignmentOutcome> alignment;
+  steps::AlignmentSeen seen;
   scene::SliceScene slices;
   guidance::Target target;
 
@@ -86,13 +86,13 @@ struct Stage {
   }
 };
 
-Stage stageOf(const Places& places, workflow::Registrations all) {
+Stage stageOf(const Places& places, steps::Registrations all) {
   TaskMonitor monitor;
   auto store = casefile::CaseStore::open(places.case_folder);
-  auto recording = workflow::openTreatmentFilm(places.recording);
-  auto outcome = std::make_shared<const workflow::AlignmentOutcome>(
-      workflow::alignRecording(all, store, recording.recording, {"surface"}, monitor).outcome);
-  auto seen = workflow::seeAlignment(store, *outcome);
+  auto recording = steps::openTreatmentFilm(places.recording);
+  auto outcome = std::make_shared<const steps::AlignmentOutcome>(
+      steps::alignRecording(all, store, recording.recording, {"surface"}, monitor).outcome);
+  auto seen = steps::seeAlignment(store, *outcome);
   scene::SliceScene slices;
   slices.mri = std::make_shared<const volume::Volume>(store.mri());
   scene::setUsualWindow(slices);
@@ -123,7 +123,7 @@ void runPlain(const Stage& stage, const FilmOrder& order, const std::shared_ptr<
 class Window {
  public:
   explicit Window(const Stage& stage) : stage_(stage), overlays_([this](const auto&) { ++overlays_drawn; }) {}
-  void look(workflow::Treatment& treatment) {
+  void look(steps::Treatment& treatment) {
     const auto state = treatment.session().latest();
     const double now_s = Timestamp::now().s;
     if (now_s - overlay_s_ > 1 / 30.0 && state->images) {
@@ -136,7 +136,7 @@ class Window {
                                    guidance::figureOfEight(), 2.0};
       for (const auto cut : {scene::CoilCut::along_handle, scene::CoilCut::across_handle})
         scene::coilSlicePicture(stage_.slices, coil, cut, scene::coilPlane(coil.mri_T_coil, cut, 360, 300));
-      workflow::readTip(*state, treatment.tip(), *stage_.seen.check);
+      steps::readTip(*state, treatment.tip(), *stage_.seen.check);
       slices_s_ = now_s;
       ++slices_drawn;
     }
@@ -163,23 +163,23 @@ struct Counted {
   fs::path folder;
 };
 
-using Look = std::function<void(const workflow::Treatment&, const Window&)>;
+using Look = std::function<void(const steps::Treatment&, const Window&)>;
 
 Counted runAll(const Stage& stage, const FilmOrder& order, const std::shared_ptr<Meter>& meter,
                const Look& look = {}) {
   auto pulses = std::make_unique<FilmPulses>();
   auto* teller = pulses.get();
-  workflow::TreatmentRequest request{stage.store, stage.recording.recording, true, stage.recording.coil,
-                                     stage.alignment};
-  request.override = workflow::SignOffOverride{"benchmark", "virtual patient"};
-  workflow::TreatmentDevices devices;
+  steps::TreatmentRequest request{stage.store, stage.recording.recording, true, stage.recording.coil,
+                                  stage.alignment};
+  request.override = steps::SignOffOverride{"benchmark", "virtual patient"};
+  steps::TreatmentDevices devices;
   devices.makeNavigator = [&](const session::NavigatorSetup& setup) { return stage.navigator(setup, meter); };
   devices.openSource = [&] {
     return std::make_unique<FilmSource>(stage.film, order, meter,
                                         [teller](Timestamp at) { teller->tell(at); });
   };
-  workflow::Treatment treatment(workflow::prepareTreatment(request, devices),
-                                workflow::chosenTarget(stage.target, stage.alignment.get()));
+  steps::Treatment treatment(steps::prepareTreatment(request, devices),
+                             steps::chosenTarget(stage.target, stage.alignment.get()));
   treatment.listen(std::move(pulses));
   Window window(stage);
   while (!treatment.session().hasEnded()) {
@@ -259,7 +259,7 @@ void runLong(const Stage& stage, std::int64_t frames) {
   order.pause = 1180;  // a train every two minutes: 4800 pulses in eight hours
   const auto meter = std::make_shared<Meter>();
   std::int64_t next = kFramesPerBlock;
-  const auto counted = runAll(stage, order, meter, [&](const workflow::Treatment& treatment, const Window&) {
+  const auto counted = runAll(stage, order, meter, [&](const steps::Treatment& treatment, const Window&) {
     if (meter->done() < next) return;
     const Times times = meter->take();
     using support::quantile;

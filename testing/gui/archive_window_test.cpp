@@ -10,11 +10,11 @@
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
+#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
-#include "registrations.h"
 #include "support/orthanc.h"
 #include "workspaces/prepare/archive_page.h"
 #include "workspaces/prepare/prepare_workspace.h"

@@ -6,7 +6,7 @@
 
 #include "gui_fixtures.h"
 #include "presenters/treat_presenter.h"
-#include "unit/session/session_fakes.h"
+#include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui {
 namespace {
@@ -63,7 +63,7 @@ class CamerasTest : public ::testing::Test {
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording,
                              const coil_tracking::CoilModel*, TaskMonitor&) {
       aligned_with_ = recording;
-      workflow::AlignmentOutcome outcome;
+      steps::AlignmentOutcome outcome;
       outcome.result.camera_T_mri = fakes::cameraAtReference();
       outcome.reference.frame = *fakes::frame(0, 0);
       return outcome;

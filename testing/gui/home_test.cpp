@@ -12,8 +12,8 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/zip_file.h"
+#include "facenav/plan/expert_pose.h"
 #include "facenav/scene/display.h"
-#include "facenav/workflow/expert_pose.h"
 #include "home/fitted_words.h"
 #include "home/home_window.h"
 #include "home/sign_view.h"
@@ -55,7 +55,7 @@ Services homeServices(std::shared_ptr<Seen> seen, const Eigen::Vector3d& off_mm 
   if (!refusal.empty())
     services.align = [refusal](const casefile::CaseStore&, const capture::Recording&,
                                const coil_tracking::CoilModel*,
-                               TaskMonitor&) -> workflow::AlignmentOutcome { throw Error(refusal); };
+                               TaskMonitor&) -> steps::AlignmentOutcome { throw Error(refusal); };
   services.makeNavigator = [seen, off_mm](const session::NavigatorSetup& setup) {
     const RigidTransform<Marker, Marker> off(Eigen::Quaterniond::Identity(), off_mm);
     return std::make_unique<session::Navigator>(
@@ -121,15 +121,15 @@ TEST_F(HomePresenterTest, GoesThroughThreeStepsAndEndsWithOneFile) {
   seen_->head = false;
   seen_->coil = false;
   ASSERT_TRUE(guides(home));
-  const auto step = [&](workflow::HomeStep wanted) {
+  const auto step = [&](steps::HomeStep wanted) {
     return fixtures::waitFor([&] { return home.advice().step == wanted; });
   };
-  EXPECT_TRUE(step(workflow::HomeStep::sit));
+  EXPECT_TRUE(step(steps::HomeStep::sit));
   seen_->head = true;
-  EXPECT_TRUE(step(workflow::HomeStep::hold));
+  EXPECT_TRUE(step(steps::HomeStep::hold));
   seen_->coil = true;
-  EXPECT_TRUE(step(workflow::HomeStep::follow));
-  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::hold; }));
+  EXPECT_TRUE(step(steps::HomeStep::follow));
+  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == steps::HomeSign::hold; }));
   home.countPulse();
   EXPECT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().on_target == 1; }));
   EXPECT_EQ(home.plannedPulses(), 200);
@@ -175,10 +175,10 @@ TEST_F(HomePresenterTest, ALostFaceTakesTheArrowAway) {
   HomePresenter home(services, tasks_);
   open(home);
   ASSERT_TRUE(guides(home));
-  ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::arrow; }));
+  ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().sign == steps::HomeSign::arrow; }));
   seen_->head = false;
-  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == workflow::HomeSign::none; }));
-  EXPECT_EQ(home.advice().step, workflow::HomeStep::sit);
+  EXPECT_TRUE(fixtures::waitFor([&] { return home.advice().sign == steps::HomeSign::none; }));
+  EXPECT_EQ(home.advice().step, steps::HomeStep::sit);
 }
 
 TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
@@ -204,12 +204,12 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
     seen_->coil = false;
     QTest::keyClick(&window, Qt::Key_Return);
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::guiding; }));
-    ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().step == workflow::HomeStep::hold; }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().step == steps::HomeStep::hold; }));
     QTest::qWait(200);
     take(window, QString("hold_") + name);
     seen_->coil = true;
     auto* sign = window.findChild<SignView*>();
-    ASSERT_TRUE(fixtures::waitFor([&] { return sign->sign() == workflow::HomeSign::arrow; }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return sign->sign() == steps::HomeSign::arrow; }));
     QTest::keyClick(&window, Qt::Key_P);
     ASSERT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().outside == 1; }));
     QTest::qWait(200);

@@ -26,7 +26,7 @@ namespace facenav::ui {
 namespace {
 
 using namespace treat_fixtures;
-using workflow::RigState;
+using health::RigState;
 
 /// Live pictures that differ from each other, a hundred a second.
 class LivePlain : public capture::FrameSource {
@@ -88,15 +88,15 @@ class KeptRig : public ::testing::Test {
     };
     services_.openRig = [this](const capture::NamedRig& rig, const RigVerifying& verifying) {
       verifying_ = verifying;
-      workflow::RigStartCheck check(rig, {});
-      return std::make_unique<workflow::VerifiedCameras>(std::make_unique<LivePlain>(), std::move(check),
-                                                         "repair them: Check and repair the cameras",
-                                                         verifying.told);
+      steps::RigStartCheck check(rig, {});
+      return std::make_unique<steps::VerifiedCameras>(std::make_unique<LivePlain>(), std::move(check),
+                                                      "repair them: Check and repair the cameras",
+                                                      verifying.told);
     };
   }
   /// What the check found.
   void tell(RigState state, const std::string& geometry) {
-    workflow::RigStart found;
+    steps::RigStart found;
     found.state = state;
     found.geometry = geometry;
     verifying_.told(found);

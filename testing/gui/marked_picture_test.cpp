@@ -34,8 +34,7 @@ class MarkedPicture : public ::testing::Test {
     };
     services_.makeSetupMethods = [] { return facenav::testing::setupMethods(); };
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording,
-                             const coil_tracking::CoilModel* coil,
-                             TaskMonitor&) -> workflow::AlignmentOutcome {
+                             const coil_tracking::CoilModel* coil, TaskMonitor&) -> steps::AlignmentOutcome {
       aligned_ = recording;
       coil_ = coil ? coil->name : "none";
       throw Error("not aligned: enough for this test");

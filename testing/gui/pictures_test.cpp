@@ -23,7 +23,7 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
-#include "unit/session/session_fakes.h"
+#include "unit/treat/session/session_fakes.h"
 #include "views/scene_view.h"
 #include "widgets/brain_look_panel.h"
 #include "widgets/distance_legend.h"
@@ -229,7 +229,7 @@ Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<boo
   Services services = exampleServices();
   services.align = [head](const casefile::CaseStore&, const capture::Recording& recording,
                           const coil_tracking::CoilModel*, TaskMonitor&) {
-    workflow::AlignmentOutcome outcome;
+    steps::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = head.front();
     outcome.result.rms_mm = 0.41, outcome.result.points = 16000;
     outcome.reference.frame = recording.capture.value().plain;

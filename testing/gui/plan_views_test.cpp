@@ -14,7 +14,7 @@
 #include "gui_fixtures.h"
 #include "presenters/overlay_presenter.h"
 #include "presenters/plan_presenter.h"
-#include "unit/session/session_fakes.h"
+#include "unit/treat/session/session_fakes.h"
 #include "views/live_slices.h"
 #include "widgets/map_legend.h"
 
@@ -189,8 +189,7 @@ TEST_F(PlanViews, TargetsRestOnTheCasesOwnCoil) {
   EXPECT_EQ(plan_.coilWords(), "small");
   EXPECT_EQ(plan_.slicedCoil()->plate.outline_mm.size(), 4u);
   EXPECT_NE(usual_mm, 4u);
-  EXPECT_EQ(workflow::plannedHead(model_.current().store).plate.outline_mm.size(), 4u)
-      << "the command line's";
+  EXPECT_EQ(steps::plannedHead(model_.current().store).plate.outline_mm.size(), 4u) << "the command line's";
   plan_.setCoil(QString::fromStdString(write("bad.json", "{}x").string()));
   EXPECT_FALSE(refusal_.isEmpty());
   EXPECT_EQ(plan_.coilWords(), "small");

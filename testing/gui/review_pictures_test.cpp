@@ -13,10 +13,10 @@
 
 #include "appearance.h"
 #include "facenav/casefile/kept_session.h"
+#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
-#include "registrations.h"
 #include "workspaces/review/review_workspace.h"
 
 namespace facenav::ui {
@@ -94,10 +94,10 @@ void takePages(const fs::path& case_folder, const char* recording, const QString
     EXPECT_TRUE(window.grab().save(pictures + "/" + prefix + name + ".png"));
   };
   take("8_review_error");
-  review.setColumn(workflow::PulseColumn::tilt);
+  review.setColumn(report::PulseColumn::tilt);
   review.mark(60);
   take("8_review_tilt");
-  review.setColumn(workflow::PulseColumn::mep);
+  review.setColumn(report::PulseColumn::mep);
   for (auto* box : page->findChildren<QAbstractButton*>())
     if (box->text() == "MEP map" && !box->isChecked()) box->click();
   take("8_review_mep_map");

@@ -14,8 +14,8 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/home/home_case.h"
 #include "facenav/scene/display.h"
-#include "facenav/workflow/home_case.h"
 #include "gui_fixtures.h"
 #include "main_window.h"
 #include "pdf_text.h"
@@ -70,7 +70,7 @@ TEST_F(ReviewTest, TheNewestSessionIsShownWithThePulsesOfItsFile) {
   const auto session = casefile::readSession(second_);
   for (int row = 0; row < 40; ++row) {
     const auto& pulse = session.pulses.pulses[std::size_t(row)].pulse;
-    const auto shown = table.index(row, PulseTable::columnOf(workflow::PulseColumn::distance))
+    const auto shown = table.index(row, PulseTable::columnOf(report::PulseColumn::distance))
                            .data(Qt::DisplayRole)
                            .toString();
     if (pulse.offset)
@@ -107,7 +107,7 @@ TEST_F(ReviewTest, AnMepTypedIntoTheTableIsKeptAndOneThatIsNoNumberIsRefused) {
   review.choose(QString::fromStdString(first_.filename().string()));
   waitForSession(review);
   PulseTable table(review);
-  const auto cell = table.index(6, PulseTable::columnOf(workflow::PulseColumn::mep));
+  const auto cell = table.index(6, PulseTable::columnOf(report::PulseColumn::mep));
   EXPECT_TRUE(table.flags(cell) & Qt::ItemIsEditable);
   EXPECT_TRUE(table.setData(cell, "412,5", Qt::EditRole));
   ASSERT_TRUE(
@@ -144,7 +144,7 @@ TEST_F(ReviewTest, AFileThatCameBackFromHomeIsAddedShownAndMarked) {
   made.pulses = 17;
   const auto session = testing::writeMadeSession(home.folder(), someTarget(fixtures::ballWithBrain()), made);
   const auto file = folder_.path() / "back.zip";
-  workflow::writeSendBack(home, session, file);
+  steps::writeSendBack(home, session, file);
   ReviewPresenter review(model_);
   QString said, refused;
   QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
@@ -257,7 +257,7 @@ TEST_F(ReviewTest, TheWindowShowsPulsesReplayAndComparison) {
     return page->grab().toImage();
   };
   const QImage pulses = pictureOf();
-  window.review().setColumn(workflow::PulseColumn::mep);
+  window.review().setColumn(report::PulseColumn::mep);
   EXPECT_NE(pulses, pictureOf()) << "other colours and charts";
   for (auto* heat : page->findChildren<QCheckBox*>())
     if (heat->text() == "MEP map") heat->click();

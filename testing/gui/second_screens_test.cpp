@@ -131,10 +131,10 @@ class TreatCheck : public ::testing::Test {
  protected:
   Services services() {
     Services services = fakeServices();
-    services.seeAlignment = [](const casefile::CaseStore& store, const workflow::AlignmentOutcome&) {
+    services.seeAlignment = [](const casefile::CaseStore& store, const steps::AlignmentOutcome&) {
       const auto scalp = store.scalp();
       const std::vector<surface::NamedPlace> places{{"nose tip", Point<Mri>(0, 90, 0), 1.0}};
-      return workflow::AlignmentSeen{
+      return steps::AlignmentSeen{
           std::make_shared<const pictures::AlignedSkin>(pictures::makeAlignedSkin(scalp.mesh, places)),
           std::make_shared<const guidance::TipCheck>(scalp.mesh, places)};
     };
@@ -200,7 +200,7 @@ TEST_F(TreatCheck, AnAlignmentThatWasJudgedWrongGuidesNobodyAndStartsNoOtherSess
   auto& tip = checkTool(window);
   TreatPresenter& treat = window.findChild<TreatWorkspace*>()->presenter();
   ASSERT_TRUE(fixtures::waitFor([&] { return tip.canJudge(); }));
-  tip.judge(workflow::TipVerdict::wrong);
+  tip.judge(steps::TipVerdict::wrong);
   EXPECT_TRUE(tip.words().contains("judged WRONG")) << tip.words().toStdString();
   EXPECT_TRUE(fixtures::waitFor([&] { return !treat.state()->camera_T_mri; }));
   treat.checkRegistration();

@@ -19,7 +19,7 @@
 namespace facenav::ui {
 namespace {
 
-using Step = workflow::SetupStep;
+using Step = steps::SetupStep;
 using testing::RoomShows;
 namespace boards = coil_tracking::testing;
 
@@ -49,7 +49,7 @@ class SetupTest : public ::testing::Test {
     services_.noteRig = [this](const std::string& name, const capture::RigCheckNote& note) {
       noted_ = QString::fromStdString(name + ": " + note.state);
     };
-    services_.keepLearnt = [this](const std::string&, const workflow::CamerasLearnt& learnt) {
+    services_.keepLearnt = [this](const std::string&, const steps::CamerasLearnt& learnt) {
       learnt_ = learnt;
     };
     services_.makeSetupMethods = [] { return testing::setupMethods(); };
@@ -94,7 +94,7 @@ class SetupTest : public ::testing::Test {
   cameras::StereoRig rig_ = boards::roomRig();
   std::vector<capture::RigEntry> rigs_;
   QString opened_, noted_;
-  workflow::CamerasLearnt learnt_;
+  steps::CamerasLearnt learnt_;
   Services services_;
 };
 

@@ -8,7 +8,7 @@
 #include "facenav/capture/recording.h"
 #include "gui_fixtures.h"
 #include "presenters/services.h"
-#include "unit/session/session_fakes.h"
+#include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui::treat_fixtures {
 
@@ -21,7 +21,7 @@ inline Services fakeServices() {
   Services services;
   services.align = [](const casefile::CaseStore&, const capture::Recording&, const coil_tracking::CoilModel*,
                       TaskMonitor&) {
-    workflow::AlignmentOutcome outcome;
+    steps::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = fakes::cameraAtReference();
     outcome.reference.frame = *fakes::frame(0, 0);
     return outcome;

@@ -10,11 +10,11 @@
 
 #include "appearance.h"
 #include "facenav/casefile/sign_off.h"
+#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/home_window.h"
 #include "main_window.h"
-#include "registrations.h"
 #include "views/guidance_screen.h"
 #include "views/projector_screen.h"
 #include "views/second_screens.h"
@@ -109,7 +109,7 @@ TEST_F(TreatPictures, OfTheHomeWindow) {
     home.act();
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == HomePresenter::Stage::guiding; }, 240000))
         << home.words().toStdString();
-    fixtures::waitFor([&] { return home.advice().step == workflow::HomeStep::follow; }, 60000);
+    fixtures::waitFor([&] { return home.advice().step == steps::HomeStep::follow; }, 60000);
     home.countPulse();
     take(window, "home_follow_" + name);
     home.act();

@@ -119,7 +119,7 @@ TEST_F(TreatReturn, GoingOnKeepsCountingAndGuidesOnlyAfterTheFaceWasMeasured) {
   EXPECT_TRUE(fixtures::waitFor([&] {
     const auto state = treat_.state();
     was_shown = was_shown || state->camera_T_mri;
-    return state->withheld.rfind("REGISTRATION FAILED", 0) == 0;
+    return state->withheld && state->withheld->reason == monitoring::Withheld::Reason::registration_failed;
   }));
   EXPECT_FALSE(was_shown) << "no pose before a check has passed";
   EXPECT_TRUE(reads("REGISTRATION FAILED: 4.2 mm, 1.5"));

@@ -13,7 +13,7 @@
 #include "support/ball_case.h"
 #include "support/command_line.h"
 #include "support/conversation.h"
-#include "unit/casefile/made_pulse.h"
+#include "unit/case/casefile/made_pulse.h"
 
 namespace facenav::testing {
 namespace {

@@ -11,7 +11,7 @@
 #include "facenav/session/treatment_log.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
-#include "unit/session/session_fakes.h"
+#include "unit/treat/session/session_fakes.h"
 
 namespace facenav::testing {
 namespace {

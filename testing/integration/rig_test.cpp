@@ -12,7 +12,7 @@
 #include "support/ball_case.h"
 #include "support/board_scene.h"
 #include "support/command_line.h"
-#include "unit/coil_tracking/tracked_once.h"
+#include "unit/track/coil_tracking/tracked_once.h"
 
 namespace facenav::testing {
 namespace {

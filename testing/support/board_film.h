@@ -1,6 +1,6 @@
 #pragma once
 // A person who holds the calibration board before a rig: moves it, holds it still, moves it on. Rendered
-// pairs with noise. The program must compile unit/coil_tracking/coil_scene.cpp.
+// pairs with noise. The program must compile unit/track/coil_tracking/coil_scene.cpp.
 
 #include <map>
 

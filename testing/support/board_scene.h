@@ -1,12 +1,12 @@
 #pragma once
 // Stereo pairs of a printed chessboard with exact truth, and rigs that differ from their calibration. The
-// program must compile unit/coil_tracking/coil_scene.cpp.
+// program must compile unit/track/coil_tracking/coil_scene.cpp.
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "facenav/cameras/chessboard.h"
 #include "facenav/geometry/rotation.h"
-#include "unit/coil_tracking/coil_scene.h"
+#include "unit/track/coil_tracking/coil_scene.h"
 
 namespace facenav::testing {
 

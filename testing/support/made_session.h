@@ -11,7 +11,7 @@
 
 #include "facenav/casefile/pulse_file.h"
 #include "facenav/casefile/session_log.h"
-#include "facenav/casefile/utc_time.h"
+#include "facenav/core/utc_time.h"
 #include "facenav/guidance/guidance.h"
 
 namespace facenav::testing {
@@ -75,8 +75,8 @@ inline casefile::Pulse madePulseOf(int number, int n, const MadeFrames& frames,
   pulse.number = number;
   pulse.t_s = frames.t_s(n);
   pulse.steady_s = 7000.0 + 0.02 * n;
-  pulse.utc = casefile::isoUtc(
-      std::chrono::system_clock::time_point(std::chrono::milliseconds(1795442400000LL + 20LL * n)));
+  pulse.utc =
+      isoUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(1795442400000LL + 20LL * n)));
   pulse.source = "keyboard";
   pulse.target = target;
   pulse.frames = {n, n + 1};

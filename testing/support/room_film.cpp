@@ -1,6 +1,6 @@
 #include "support/room_film.h"
 
-#include "facenav/workflow/align_from_capture.h"
+#include "facenav/align/align_from_capture.h"
 
 namespace facenav::testing {
 namespace {
@@ -18,8 +18,8 @@ coil_tracking::CoilModel modelOf(const room::RoomCoil& coil) {
 head_tracking::HeadReference referenceOf(const cameras::StereoRig& rig, const capture::CapturePair& pair,
                                          const face::FaceDetector& detector) {
   TaskMonitor monitor;
-  const auto landmarks = workflow::findFace(rig, pair.plain, detector);
-  const auto face = workflow::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
+  const auto landmarks = measured_face::findFace(rig, pair.plain, detector);
+  const auto face = measured_face::cutFace(stereo::measureFace(rig, pair.pattern, {}, monitor), landmarks);
   return {pair.plain, face.cloud, face.left_px};
 }
 

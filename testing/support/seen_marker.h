@@ -12,7 +12,7 @@ class SeenMarker : public coil_tracking::CoilTracker {
       : rig_(std::move(rig)), aside_mm_(aside_mm) {}
   void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}
   coil_tracking::CoilResult track(const cameras::StereoFrame&, const coil_tracking::CoilContext&) override {
-    coil_tracking::MarkerObservation seen;
+    health::SquareObservation seen;
     const Eigen::Vector3d corners_mm[] = {{-30, -30, 600}, {30, -30, 600}, {30, 30, 600}, {-30, 30, 600}};
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d at_mm = corners_mm[i] + aside_mm_ * Eigen::Vector3d::UnitX();

@@ -1,14 +1,14 @@
 #pragma once
 // What two cameras see while a person sets them up: an empty room, a held board that goes from place to
 // place, a board in a new place, the coil's marker. The test chooses. The program must compile
-// unit/coil_tracking/coil_scene.cpp.
+// unit/track/coil_tracking/coil_scene.cpp.
 
 #include <atomic>
 #include <map>
 #include <thread>
 
 #include "facenav/face/face_landmarks.h"
-#include "facenav/workflow/rig_setup.h"
+#include "facenav/setup/rig_setup.h"
 #include "support/board_film.h"
 
 namespace facenav::testing {
@@ -132,15 +132,14 @@ class FixedFace : public face::FaceDetector {
   std::optional<cv::Rect> face_;
 };
 
-inline workflow::SetupMethods setupMethods() {
+inline steps::SetupMethods setupMethods() {
   return {std::make_shared<FixedFace>(cv::Rect(220, 130, 200, 200)),
           [] { return coil_tracking::makeMarkerCoilTracker(); }};
 }
 
 /// Until `condition` holds for the newest view; false: it did not within the limit.
-inline bool waitForView(const workflow::RigSetup& setup,
-                        const std::function<bool(const workflow::SetupView&)>& condition,
-                        double limit_s = 120) {
+inline bool waitForView(const steps::RigSetup& setup,
+                        const std::function<bool(const steps::SetupView&)>& condition, double limit_s = 120) {
   const double until_s = Timestamp::now().s + limit_s;
   while (Timestamp::now().s < until_s) {
     if (condition(*setup.latest())) return true;

@@ -1,6 +1,6 @@
 #pragma once
 // OpenCV's semi-global matcher as a DenseMatcher: a peer to hold our matchers against. Needs
-// modules/stereo/src on the include path.
+// modules/face/stereo/src on the include path.
 
 #include <limits>
 #include <opencv2/calib3d.hpp>

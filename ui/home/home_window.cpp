@@ -129,7 +129,7 @@ void HomeWindow::refresh() {
   } else {
     const bool is_refused = !presenter_.refusal().isEmpty();
     showSteps(is_ended ? 3 : 0, is_ended);
-    sign_->set(is_ended && !is_refused ? workflow::HomeSign::hold : workflow::HomeSign::none, 0, is_refused);
+    sign_->set(is_ended && !is_refused ? steps::HomeSign::hold : steps::HomeSign::none, 0, is_refused);
     words_->set(presenter_.words(), is_refused ? kRefused : kPlain);
   }
   showPicture();

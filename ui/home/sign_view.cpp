@@ -9,7 +9,7 @@
 namespace facenav::ui {
 namespace {
 
-using workflow::HomeSign;
+using steps::HomeSign;
 
 const QColor kQuiet(70, 80, 92), kArrow(255, 196, 60), kGood(82, 200, 120), kStop(240, 96, 90);
 

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "facenav/workflow/home_advice.h"
+#include "facenav/home/home_advice.h"
 
 class QPainter;
 
@@ -16,8 +16,8 @@ class SignView : public QWidget {
 
  public:
   explicit SignView(QWidget* parent = nullptr);
-  void set(workflow::HomeSign sign, double arrow_rad, bool is_refused);
-  workflow::HomeSign sign() const { return sign_; }
+  void set(steps::HomeSign sign, double arrow_rad, bool is_refused);
+  steps::HomeSign sign() const { return sign_; }
   bool isRefused() const { return is_refused_; }
 
  protected:
@@ -26,7 +26,7 @@ class SignView : public QWidget {
  private:
   void drawCoil(QPainter& painter) const;
 
-  workflow::HomeSign sign_ = workflow::HomeSign::none;
+  steps::HomeSign sign_ = steps::HomeSign::none;
   double arrow_rad_ = 0;
   bool is_refused_ = false;
 };

@@ -7,11 +7,11 @@ AlignedHead alignHead(const Services& services, const casefile::CaseStore& store
                       TaskMonitor& monitor) {
   AlignedHead aligned;
   aligned.outcome =
-      std::make_shared<const workflow::AlignmentOutcome>(services.align(store, recording, &coil, monitor));
+      std::make_shared<const steps::AlignmentOutcome>(services.align(store, recording, &coil, monitor));
   if (!services.seeAlignment) return aligned;
   aligned.seen = services.seeAlignment(store, *aligned.outcome);
   aligned.picture = std::make_shared<const pictures::CameraOverlay>(
-      workflow::drawAlignment(recording.rig, *aligned.outcome, aligned.seen));
+      steps::drawAlignment(recording.rig, *aligned.outcome, aligned.seen));
   return aligned;
 }
 

@@ -3,14 +3,14 @@
 // made from, and the check of the coil's tip.
 
 #include "facenav/capture/recording.h"
-#include "facenav/workflow/alignment_seen.h"
+#include "facenav/align/alignment_seen.h"
 #include "presenters/services.h"
 
 namespace facenav::ui {
 
 struct AlignedHead {
-  std::shared_ptr<const workflow::AlignmentOutcome> outcome;  // null: not aligned
-  workflow::AlignmentSeen seen;                               // null members: nothing to show
+  std::shared_ptr<const steps::AlignmentOutcome> outcome;  // null: not aligned
+  steps::AlignmentSeen seen;                               // null members: nothing to show
   std::shared_ptr<const pictures::CameraOverlay> picture;     // null: none
 };
 

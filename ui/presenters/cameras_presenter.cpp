@@ -1,7 +1,7 @@
 #include "presenters/cameras_presenter.h"
 
 #include "facenav/core/error.h"
-#include "facenav/workflow/marked_still.h"
+#include "facenav/align/marked_still.h"
 #include "presenters/preview_frames.h"
 
 namespace facenav::ui {
@@ -24,8 +24,8 @@ void CamerasPresenter::lookEverywhere() { isLive() ? chosen_.refreshDevices() : 
 RigVerifying CamerasPresenter::verifying() const {
   RigVerifying verifying;
   if (coil_) verifying.coil = coil_();
-  verifying.told = [start = start_](const workflow::RigStart& found) {
-    start->publish(std::make_shared<const workflow::RigStart>(found));
+  verifying.told = [start = start_](const steps::RigStart& found) {
+    start->publish(std::make_shared<const steps::RigStart>(found));
   };
   return verifying;
 }
@@ -52,10 +52,10 @@ std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener(
           right = right().toStdString()] { return open(rig, left, right); };
 }
 
-std::function<void(const workflow::CamerasLearnt&)> CamerasPresenter::keeper() const {
+std::function<void(const steps::CamerasLearnt&)> CamerasPresenter::keeper() const {
   if (!chosen_.named() || !services_.keepLearnt) return nullptr;
   return [keep = services_.keepLearnt,
-          name = rigName().toStdString()](const workflow::CamerasLearnt& learnt) { keep(name, learnt); };
+          name = rigName().toStdString()](const steps::CamerasLearnt& learnt) { keep(name, learnt); };
 }
 
 bool CamerasPresenter::canOpen() const { return chosen_.isComplete() && services_.openCameras; }
@@ -105,7 +105,7 @@ void CamerasPresenter::retire(std::shared_ptr<capture::LivePreview> preview) {
     retirement_.add([old = std::move(preview)]() mutable { old.reset(); }, std::chrono::milliseconds(0));
 }
 
-void CamerasPresenter::forgetStart() { start_ = std::make_shared<LatestValue<workflow::RigStart>>(); }
+void CamerasPresenter::forgetStart() { start_ = std::make_shared<LatestValue<steps::RigStart>>(); }
 
 void CamerasPresenter::closeCameras() {
   forgetStart();
@@ -197,8 +197,8 @@ void CamerasPresenter::takeMarked() {
        make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
         const auto methods = make();
         PreviewFrames frames(rig, preview);
-        workflow::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
-        workflow::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
+        steps::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
+        steps::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
         return [this, preview, taken = still.still()] {
           if (preview != preview_) return;  // other cameras meanwhile
           stills_.take(taken);

@@ -60,7 +60,7 @@ class CamerasPresenter : public QObject {
   /// Opens what is chosen now; for another thread.
   std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
   /// Keeps what a session learnt with the chosen rig; null: none is chosen, or it cannot be kept.
-  std::function<void(const workflow::CamerasLearnt&)> keeper() const;
+  std::function<void(const steps::CamerasLearnt&)> keeper() const;
   /// Opens both cameras; live images follow.
   void open();
   /// What the cameras were opened with last, whatever is chosen since; nothing: they were never opened.
@@ -95,7 +95,7 @@ class CamerasPresenter : public QObject {
   void takeDots();
   void takePlain();
   /// Without a projector: the pair is taken by itself when both cameras see the face and, at rest beside it,
-  /// the coil's marker (workflow/marked_still.h). It can be cancelled as a task.
+  /// the coil's marker (align/marked_still.h). It can be cancelled as a task.
   void takeMarked();
   bool hasDots() const { return stills_.hasDots(); }
   /// Both pairs, if taken within 20 s of each other.
@@ -133,8 +133,8 @@ class CamerasPresenter : public QObject {
   bool is_live_ = false;
   std::function<coil_tracking::CoilModel()> coil_;
   /// Of the cameras that were opened last; without a value: no answer yet.
-  std::shared_ptr<LatestValue<workflow::RigStart>> start_ =
-      std::make_shared<LatestValue<workflow::RigStart>>();
+  std::shared_ptr<LatestValue<steps::RigStart>> start_ =
+      std::make_shared<LatestValue<steps::RigStart>>();
   StillPictures stills_;
 };
 

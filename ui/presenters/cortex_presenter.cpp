@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/workflow/brain_surfaces.h"
+#include "facenav/prepare/brain_surfaces.h"
 
 namespace facenav::ui {
 namespace {
@@ -77,7 +77,7 @@ void CortexPresenter::make() {
                 [this, subject = subject_, mri = c.mri, mask = c.brain_mask,
                  store = c.store](TaskMonitor& monitor) -> TaskRunner::Delivery {
                   auto cortex = store.cortex();
-                  if (!cortex) cortex = workflow::buildBrainSurfaces(*mri, *mask, monitor).cortex;
+                  if (!cortex) cortex = steps::buildBrainSurfaces(*mri, *mask, monitor).cortex;
                   auto made = std::make_shared<scene::CortexPicture>(
                       scene::makeCortexPicture(*mri, *mask, std::move(*cortex), monitor));
                   return [this, subject, made] {

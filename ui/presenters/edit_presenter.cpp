@@ -10,7 +10,7 @@
 #include "facenav/editing/region_grow.h"
 #include "facenav/editing/slice_interpolation.h"
 #include "facenav/editing/whole_mask_tools.h"
-#include "facenav/workflow/correct_brain.h"
+#include "facenav/prepare/correct_brain.h"
 
 namespace facenav::ui {
 namespace {
@@ -75,7 +75,7 @@ void EditPresenter::open() {
   outline_.clear();
   tool_ = EditTool::none;
   try {
-    const auto correction = workflow::beginCorrection(c.store, c.mri->grid, c.brain_mask.get());
+    const auto correction = steps::beginCorrection(c.store, c.mri->grid, c.brain_mask.get());
     editor_ = correction.editor;
     has_draft_ = correction.has_draft;
     saved_revision_ = editor_->revision();
@@ -136,7 +136,7 @@ void EditPresenter::press(const volume::SlicePlane& plane, const Eigen::Vector2d
     } else if (tool_ == EditTool::grow) {
       finish(tr("region grow"),
              editing::growRegion(editor_->mask(), mri, place, editing::rangeAround(mri, place),
-                                 workflow::kGrowReach_mm, !is_inverse));
+                                 steps::kGrowReach_mm, !is_inverse));
     } else {
       if (tool_ == EditTool::threshold) range_ = editing::rangeAround(mri, place);
       editor_->beginStroke((tool_ == EditTool::eraser      ? tr("eraser")
@@ -236,7 +236,7 @@ void EditPresenter::follow() {
 }
 
 void EditPresenter::smooth() {
-  guarded([&] { finish(tr("smooth"), editing::smooth(editor_->mask(), workflow::kSmooth_mm)); });
+  guarded([&] { finish(tr("smooth"), editing::smooth(editor_->mask(), steps::kSmooth_mm)); });
 }
 
 void EditPresenter::fillHoles() {
@@ -290,7 +290,7 @@ void EditPresenter::save() {
   tasks_.start(tr("Saving the corrected brain"),
                [this, revision, editor = editor_, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 auto surfaces = workflow::saveCorrection(store, *mri, mask, monitor);
+                 auto surfaces = steps::saveCorrection(store, *mri, mask, monitor);
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);

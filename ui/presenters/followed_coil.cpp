@@ -2,8 +2,8 @@
 
 #include <QSettings>
 
-#include "facenav/workflow/coil_library.h"
-#include "facenav/workflow/expert_pose.h"
+#include "facenav/coil_library/coil_library.h"
+#include "facenav/plan/expert_pose.h"
 
 namespace facenav::ui {
 namespace {
@@ -16,7 +16,7 @@ FollowedCoil::FollowedCoil()
     : model_(coil_tracking::defaultCoil()), card_{model_.name, {},          {}, {}, Eigen::Vector3d::Zero(),
                                                   false,       std::nullopt} {}
 
-void FollowedCoil::useFilm(const workflow::TreatmentFilm& film) {
+void FollowedCoil::useFilm(const steps::TreatmentFilm& film) {
   film_ = film;
   model_ = film.coil;
   card_ = film.card;
@@ -25,7 +25,7 @@ void FollowedCoil::useFilm(const workflow::TreatmentFilm& film) {
 void FollowedCoil::useRemembered() {
   film_.reset();
   const auto name = QSettings().value(kCoil).toString().toStdString();
-  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary())) {
+  for (const auto& coil : coil_library::coilsIn(coil_library::coilLibrary())) {
     if (coil.name != name || !coil.problem.empty()) continue;
     model_ = coil.model;
     card_ = coil.card;
@@ -34,7 +34,7 @@ void FollowedCoil::useRemembered() {
 
 QStringList FollowedCoil::names() const {
   QStringList names{film_ ? QString::fromStdString(film_->coil.name) : name()};
-  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary()))
+  for (const auto& coil : coil_library::coilsIn(coil_library::coilLibrary()))
     if (coil.problem.empty()) names << QString::fromStdString(coil.name);
   names.removeDuplicates();
   return names;
@@ -47,7 +47,7 @@ void FollowedCoil::choose(const QString& wanted,
   if (film_ && QString::fromStdString(film_->coil.name) == wanted) {
     model = film_->coil, card = film_->card;
   } else if (wanted != name()) {
-    const auto found = workflow::findCoil(workflow::coilLibrary(), wanted.toStdString());
+    const auto found = coil_library::findCoil(coil_library::coilLibrary(), wanted.toStdString());
     model = found.model, card = found.card;
     QSettings().setValue(kCoil, wanted);
   }
@@ -56,17 +56,17 @@ void FollowedCoil::choose(const QString& wanted,
   card_ = card;
 }
 
-void FollowedCoil::noteIn(workflow::TreatmentRequest& request) const {
-  request.coil_reminder = workflow::calibrationReminder(card_);
-  request.focus_caution = workflow::focusCaution(card_);
+void FollowedCoil::noteIn(steps::TreatmentRequest& request) const {
+  request.coil_reminder = coil_library::calibrationReminder(card_);
+  request.focus_caution = coil_library::focusCaution(card_);
 }
 
 QString FollowedCoil::reminder(const guidance::Target* target) const {
   if (target)
-    if (const auto caution = workflow::otherCoilCaution(*target, model_.name))
+    if (const auto caution = steps::otherCoilCaution(*target, model_.name))
       return QString::fromStdString(*caution);
   QStringList words;
-  for (const auto& reminder : {workflow::focusCaution(card_), workflow::calibrationReminder(card_)})
+  for (const auto& reminder : {coil_library::focusCaution(card_), coil_library::calibrationReminder(card_)})
     if (reminder) words << QString::fromStdString(*reminder);
   return words.join("; ");
 }

@@ -8,7 +8,7 @@
 
 #include "facenav/coil_tracking/coil_card.h"
 #include "facenav/guidance/target.h"
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 
 namespace facenav::ui {
 
@@ -16,7 +16,7 @@ class FollowedCoil {
  public:
   FollowedCoil();
   /// The coil filmed in a recording.
-  void useFilm(const workflow::TreatmentFilm& film);
+  void useFilm(const steps::TreatmentFilm& film);
   /// Of live cameras: the remembered one.
   void useRemembered();
   /// The recording's own one, then those of the library.
@@ -29,13 +29,13 @@ class FollowedCoil {
   /// centre, its calibration old or not recorded; empty: nothing to say.
   QString reminder(const guidance::Target* target) const;
   /// What a treatment must log of it.
-  void noteIn(workflow::TreatmentRequest& request) const;
+  void noteIn(steps::TreatmentRequest& request) const;
   const coil_tracking::CoilModel& model() const { return model_; }
 
  private:
   coil_tracking::CoilModel model_;
   coil_tracking::CoilCard card_;
-  std::optional<workflow::TreatmentFilm> film_;  // whose coil may be chosen again
+  std::optional<steps::TreatmentFilm> film_;  // whose coil may be chosen again
 };
 
 }  // namespace facenav::ui

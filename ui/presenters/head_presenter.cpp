@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
-#include "facenav/workflow/case_landmarks.h"
+#include "facenav/plan/case_landmarks.h"
 
 namespace facenav::ui {
 
@@ -38,11 +38,11 @@ void HeadPresenter::attempt(Step step) {
   }
 }
 
-const workflow::HeadMeasures* HeadPresenter::measures() {
+const steps::HeadMeasures* HeadPresenter::measures() {
   if (!measures_)
     attempt([this] {
       const auto& current = model_.current();
-      measures_.emplace(current.scalp, workflow::landmarksOf(current.store, *current.scalp));
+      measures_.emplace(current.scalp, steps::landmarksOf(current.store, *current.scalp));
     });
   return measures_ ? &*measures_ : nullptr;
 }
@@ -51,7 +51,7 @@ void HeadPresenter::setLandmark(surface::Landmark which, const Point<Mri>& p) {
   attempt([&] {
     const auto& current = model_.current();
     const std::string by = qgetenv("USER").toStdString();
-    measures_.emplace(current.scalp, workflow::setLandmark(current.store, *current.scalp, which, p, by));
+    measures_.emplace(current.scalp, steps::setLandmark(current.store, *current.scalp, which, p, by));
     emit changed();
   });
 }
@@ -59,7 +59,7 @@ void HeadPresenter::setLandmark(surface::Landmark which, const Point<Mri>& p) {
 void HeadPresenter::findAgain(surface::Landmark which) {
   attempt([&] {
     const auto& current = model_.current();
-    measures_.emplace(current.scalp, workflow::findLandmarkAgain(current.store, *current.scalp, which));
+    measures_.emplace(current.scalp, steps::findLandmarkAgain(current.store, *current.scalp, which));
     emit changed();
   });
 }

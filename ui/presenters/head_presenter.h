@@ -1,11 +1,11 @@
 #pragma once
 // HeadPresenter: landmarks of the open case's head (nasion, inion, tragi), and what is measured from them:
-// EEG sites and Beam F3. Binds the window to workflow/case_landmarks.h and workflow/presets.h.
+// EEG sites and Beam F3. Binds the window to plan/case_landmarks.h and plan/presets.h.
 
 #include <QObject>
 #include <optional>
 
-#include "facenav/workflow/presets.h"
+#include "facenav/plan/presets.h"
 #include "presenters/case_model.h"
 
 namespace facenav::ui {
@@ -18,7 +18,7 @@ class HeadPresenter : public QObject {
 
   /// Measures of the open case's head; found at the first call (a second or two). Null without a case, or
   /// when the landmarks cannot be read: refused() says why.
-  const workflow::HeadMeasures* measures();
+  const steps::HeadMeasures* measures();
   /// Puts a landmark at the skin nearest to a place. Refused far from the skin.
   void setLandmark(surface::Landmark which, const Point<Mri>& p);
   /// Finds it again in place of what a hand set.
@@ -39,7 +39,7 @@ class HeadPresenter : public QObject {
   void attempt(Step step);
 
   CaseModel& model_;
-  std::optional<workflow::HeadMeasures> measures_;
+  std::optional<steps::HeadMeasures> measures_;
 };
 
 /// "nasion", "left tragus", in the window's language.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "facenav/core/error.h"
-#include "facenav/workflow/coil_library.h"
+#include "facenav/coil_library/coil_library.h"
 #include "presenters/session_end.h"
 
 namespace facenav::ui {
@@ -36,7 +36,7 @@ void HomePresenter::set(Stage stage, const QString& refusal) {
 
 /// What failed decides where to go on.
 void HomePresenter::refuse(const QString& words) {
-  const QString sentence = QString::fromStdString(workflow::homeRefusal(Error(words.toStdString())));
+  const QString sentence = QString::fromStdString(steps::homeRefusal(Error(words.toStdString())));
   if (!home_) return set(Stage::unusable, words);
   if (stage_ == Stage::ending) return set(Stage::ended, words);
   set(Stage::sit, sentence);
@@ -44,8 +44,8 @@ void HomePresenter::refuse(const QString& words) {
 
 void HomePresenter::open(const QString& case_folder) {
   tasks_.start(tr("Opening"), [this, case_folder](TaskMonitor&) -> TaskRunner::Delivery {
-    auto home = std::make_shared<workflow::HomeCase>(
-        workflow::openHomeCase(std::filesystem::path(case_folder.toStdString())));
+    auto home = std::make_shared<steps::HomeCase>(
+        steps::openHomeCase(std::filesystem::path(case_folder.toStdString())));
     return [this, home] {
       home_ = *home;
       play_refusal_.isEmpty() ? set(Stage::sit) : set(Stage::unusable, play_refusal_);
@@ -133,35 +133,35 @@ void HomePresenter::align() {
       tr("Measuring the face"),
       [this, store = home_->store, seen, coil = home_->coil](TaskMonitor& monitor) -> TaskRunner::Delivery {
         auto outcome =
-            std::make_shared<workflow::AlignmentOutcome>(services_.align(store, seen, &coil, monitor));
+            std::make_shared<steps::AlignmentOutcome>(services_.align(store, seen, &coil, monitor));
         return [this, outcome] { startTrackers(outcome); };
       });
 }
 
-void HomePresenter::startTrackers(std::shared_ptr<const workflow::AlignmentOutcome> outcome) {
+void HomePresenter::startTrackers(std::shared_ptr<const steps::AlignmentOutcome> outcome) {
   capture::Recording seen;
   if (recording_)
     seen = *recording_;
   else
     seen.rig = *cameras_.rig();
-  workflow::TreatmentRequest request{home_->store,
+  steps::TreatmentRequest request{home_->store,
                                      seen,
                                      !recording_.has_value(),
                                      home_->coil,
                                      std::move(outcome),
-                                     workflow::calibrationReminder(home_->card)};
+                                     coil_library::calibrationReminder(home_->card)};
   if (!recording_) request.keepLearnt = cameras_.keeper();
-  request.focus_caution = workflow::focusCaution(home_->card);
-  workflow::CameraTurnover cameras{recording_ ? nullptr : cameras_.opener(), cameras_.release()};
+  request.focus_caution = coil_library::focusCaution(home_->card);
+  steps::CameraTurnover cameras{recording_ ? nullptr : cameras_.opener(), cameras_.release()};
   tasks_.start(tr("Starting"), [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
-    const auto prepared = workflow::prepareTreatment(request, services_.makeNavigator, cameras);
+    const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
     return [this, prepared] { begin(*prepared); };
   });
 }
 
-void HomePresenter::begin(workflow::PreparedTreatment& prepared) {
-  const auto target = workflow::chosenTarget(home_->target, prepared.request.alignment.get());
-  treatment_ = std::make_shared<workflow::Treatment>(std::move(prepared), target);
+void HomePresenter::begin(steps::PreparedTreatment& prepared) {
+  const auto target = steps::chosenTarget(home_->target, prepared.request.alignment.get());
+  treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), target);
   treatment_->log().addEvent("at home", "three steps, big buttons");
   session_ = treatment_->log().folder();
   planned_ = treatment_->plannedPulses();
@@ -177,13 +177,13 @@ std::shared_ptr<const session::NavigationState> HomePresenter::state() const {
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 
-workflow::HomeAdvice HomePresenter::advice() {
+steps::HomeAdvice HomePresenter::advice() {
   if (!treatment_) return {};
   const auto now = state();
   if (treatment_->session().hasEnded() && now->failure.empty())
-    return {workflow::HomeStep::sit, workflow::HomeSign::none, 0, "The recording is over: press FINISH.",
+    return {steps::HomeStep::sit, steps::HomeSign::none, 0, "The recording is over: press FINISH.",
             false};
-  return workflow::homeAdvice(*now, other_coil_->sees(*now));
+  return steps::homeAdvice(*now, other_coil_->sees(*now));
 }
 
 void HomePresenter::countPulse() {
@@ -198,7 +198,7 @@ std::optional<int> HomePresenter::plannedPulses() const { return planned_; }
 
 QString HomePresenter::reminder() const {
   if (!home_) return {};
-  if (!workflow::calibrationReminder(home_->card)) return {};
+  if (!coil_library::calibrationReminder(home_->card)) return {};
   return tr("The coil's calibration is old or not recorded: tell the clinic.");
 }
 
@@ -221,7 +221,7 @@ QString HomePresenter::sendBackName() const {
 bool HomePresenter::save(const QString& file) {
   if (stage_ != Stage::ended || file.isEmpty()) return false;
   try {
-    workflow::writeSendBack(home_->store, session_, std::filesystem::path(file.toStdString()));
+    steps::writeSendBack(home_->store, session_, std::filesystem::path(file.toStdString()));
     saved_as_ = file;
     set(Stage::ended);
     return true;

@@ -1,15 +1,15 @@
 #pragma once
 // HomePresenter: treatment by a person at home or a nurse, in three steps: sit and look, hold the coil,
 // follow the arrow; then one file to send back. It refuses what it cannot verify, in one sentence. The steps
-// are those of workflow/home_case.h, home_advice.h and treatment.h.
+// are those of home/home_case.h, home_advice.h and treatment.h.
 
 #include <QObject>
 #include <memory>
 #include <optional>
 
-#include "facenav/workflow/home_advice.h"
-#include "facenav/workflow/home_case.h"
-#include "facenav/workflow/treatment.h"
+#include "facenav/home/home_advice.h"
+#include "facenav/home/home_case.h"
+#include "facenav/treat/treatment.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
@@ -44,7 +44,7 @@ class HomePresenter : public QObject {
   /// The big button.
   void act();
   /// The next step of a running session.
-  workflow::HomeAdvice advice();
+  steps::HomeAdvice advice();
   std::shared_ptr<const session::NavigationState> state() const;
 
   void countPulse();
@@ -68,8 +68,8 @@ class HomePresenter : public QObject {
  private:
   void set(Stage stage, const QString& refusal = {});
   void align();
-  void startTrackers(std::shared_ptr<const workflow::AlignmentOutcome> outcome);
-  void begin(workflow::PreparedTreatment& prepared);
+  void startTrackers(std::shared_ptr<const steps::AlignmentOutcome> outcome);
+  void begin(steps::PreparedTreatment& prepared);
   void finish();
   void refuse(const QString& words);
 
@@ -78,10 +78,10 @@ class HomePresenter : public QObject {
   CamerasPresenter cameras_;
   Stage stage_ = Stage::opening;
   QString refusal_, play_refusal_, saved_as_;
-  std::optional<workflow::HomeCase> home_;
+  std::optional<steps::HomeCase> home_;
   std::optional<capture::Recording> recording_;  // played; nothing: live cameras
-  std::shared_ptr<workflow::Treatment> treatment_;
-  std::optional<workflow::OtherCoilWatch> other_coil_;
+  std::shared_ptr<steps::Treatment> treatment_;
+  std::optional<steps::OtherCoilWatch> other_coil_;
   std::filesystem::path session_;
   std::optional<int> planned_;
   session::PulseCounts counts_;  // of the ended session

@@ -27,7 +27,7 @@ void MotorPresenter::take(Keep keep) {
       if (!intensity) throw Error("the intensity is not known", {}, "type the output that was set");
       keep(*intensity);
       if (search_->state().isDone())
-        treat_.note(workflow::session_events::kThreshold, QString::fromStdString(search_->inWords()));
+        treat_.note(report::session_events::kThreshold, QString::fromStdString(search_->inWords()));
       showIntensity();
     }
   } catch (const Error& error) {
@@ -54,8 +54,8 @@ void MotorPresenter::showIntensity() {
 void MotorPresenter::search(stimulation::ThresholdMethod method, const QString& muscle) {
   if (!model_.isOpen()) return;
   try {
-    search_ = std::make_unique<workflow::MotorThreshold>(
-        workflow::ThresholdRequest{model_.current().store.folder(), method, muscle.trimmed().toStdString()});
+    search_ = std::make_unique<steps::MotorThreshold>(
+        steps::ThresholdRequest{model_.current().store.folder(), method, muscle.trimmed().toStdString()});
     showIntensity();
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
@@ -91,7 +91,7 @@ void MotorPresenter::hunt() {
   const auto* seed = treat_.target();
   if (!seed || isHunting()) return;
   try {
-    sites_ = workflow::huntingSites(*seed, *model_.current().scalp, {});
+    sites_ = steps::huntingSites(*seed, *model_.current().scalp, {});
   } catch (const Error& error) {
     return emit refused(QString::fromUtf8(error.what()));
   }

@@ -1,11 +1,11 @@
 #pragma once
 // MotorPresenter: the motor hotspot and threshold as the Treat page shows them: a hunting grid of sites, one
-// answer of the muscle a pulse, the search for the threshold (workflow/motor_threshold.h, hotspot.h).
+// answer of the muscle a pulse, the search for the threshold (treat/motor_threshold.h, hotspot.h).
 
 #include <QObject>
 
-#include "facenav/workflow/hotspot.h"
-#include "facenav/workflow/motor_threshold.h"
+#include "facenav/treat/hotspot.h"
+#include "facenav/treat/motor_threshold.h"
 #include "presenters/treat_presenter.h"
 
 namespace facenav::ui {
@@ -51,7 +51,7 @@ class MotorPresenter : public QObject {
 
   TreatPresenter& treat_;
   CaseModel& model_;
-  std::unique_ptr<workflow::MotorThreshold> search_;
+  std::unique_ptr<steps::MotorThreshold> search_;
   std::vector<guidance::Target> sites_;
   std::size_t site_ = 0;
 };

@@ -33,7 +33,7 @@ void OverlayPresenter::load() {
                   std::vector<scene::Overlay> loaded;
                   QString fault_words;
                   for (const auto& entry : entries) try {
-                      loaded.push_back(workflow::loadOverlay(store, entry, mri->grid));
+                      loaded.push_back(steps::loadOverlay(store, entry, mri->grid));
                     } catch (const Error& fault) {
                       fault_words = QString::fromUtf8(fault.what());
                     }
@@ -70,15 +70,15 @@ void OverlayPresenter::add(const QString& file, std::optional<casefile::OverlayS
                            const QString& name) {
   if (!model_.isOpen()) return;
   const auto& current = model_.current();
-  workflow::NewOverlay wanted;
+  steps::NewOverlay wanted;
   wanted.file = file.toStdString();
   wanted.space = space;
   wanted.name = name.trimmed().toStdString();
   const bool has_begun = runner_.start(
       tr("Adding an overlay"),
       [this, subject = subject_, store = current.store, mri = current.mri, wanted](TaskMonitor&) {
-        const auto entry = workflow::addOverlay(store, wanted);
-        const auto overlay = workflow::loadOverlay(store, entry, mri->grid);
+        const auto entry = steps::addOverlay(store, wanted);
+        const auto overlay = steps::loadOverlay(store, entry, mri->grid);
         return TaskRunner::Delivery([this, subject, entry, overlay] {
           if (subject != subject_) return;  // another case was opened; this one holds it
           entries_.push_back(entry);
@@ -92,7 +92,7 @@ void OverlayPresenter::add(const QString& file, std::optional<casefile::OverlayS
 void OverlayPresenter::remove(const QString& name) {
   if (!model_.isOpen() || !find(name)) return;
   try {
-    workflow::removeOverlay(model_.current().store, name.toStdString());
+    steps::removeOverlay(model_.current().store, name.toStdString());
     entries_ = casefile::readOverlays(model_.current().store.folder());
   } catch (const std::exception& fault) {
     emit refused(QString::fromUtf8(fault.what()));
@@ -104,7 +104,7 @@ void OverlayPresenter::change(const casefile::OverlayEntry& entry) {
   if (!model_.isOpen()) return;
   try {
     casefile::requireSensible(entry);
-    workflow::changeOverlay(model_.current().store, entry);
+    steps::changeOverlay(model_.current().store, entry);
     for (auto& known : entries_)
       if (known.name == entry.name) known = entry;
   } catch (const std::exception& fault) {

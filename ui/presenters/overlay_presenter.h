@@ -1,12 +1,12 @@
 #pragma once
-// OverlayPresenter: overlays of the open case (workflow/overlays.h): adds files of other programs in the
+// OverlayPresenter: overlays of the open case (plan/overlays.h): adds files of other programs in the
 // background, removes them, and changes how they are shown. Every change is kept in the case at once.
 
 #include <QObject>
 #include <memory>
 #include <vector>
 
-#include "facenav/workflow/overlays.h"
+#include "facenav/plan/overlays.h"
 #include "presenters/case_model.h"
 #include "presenters/task_runner.h"
 

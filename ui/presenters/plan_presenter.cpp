@@ -7,24 +7,24 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
-#include "facenav/workflow/coil_library.h"
-#include "facenav/workflow/coil_slice_sheet.h"
+#include "facenav/coil_library/coil_library.h"
+#include "facenav/plan/coil_slice_sheet.h"
 #include "presenters/typed_coordinates.h"
 
 namespace facenav::ui {
 namespace {
 
 /// The refusal in the window's language; other errors keep their own words.
-QString wordsOf(const workflow::PlanRefused& refused, const QString& name) {
+QString wordsOf(const steps::PlanRefused& refused, const QString& name) {
   switch (refused.refusal()) {
-    case workflow::PlanRefusal::outside_head:
+    case steps::PlanRefusal::outside_head:
       return PlanPresenter::tr("no target: the place lies %1 mm outside the head; choose one in the head")
           .arg(refused.outside_mm(), 0, 'f', 0);
-    case workflow::PlanRefusal::name_taken:
+    case steps::PlanRefusal::name_taken:
       return PlanPresenter::tr("there is a target '%1' already").arg(name);
-    case workflow::PlanRefusal::no_brain:
+    case steps::PlanRefusal::no_brain:
       return PlanPresenter::tr("no brain model: click on the slice where the target lies");
-    case workflow::PlanRefusal::locked:
+    case steps::PlanRefusal::locked:
       return PlanPresenter::tr("the target is locked; unlock it first");
   }
   return {};
@@ -49,11 +49,11 @@ PlanPresenter::PlanPresenter(CaseModel& model, QObject* parent)
   });
 }
 
-workflow::PlannedCase PlanPresenter::planned() {
+steps::PlannedCase PlanPresenter::planned() {
   return {[this]() -> const guidance::TreatmentPlan& { return plan(); },
           [this] {
             const auto& c = model_.current();
-            return workflow::PlannedHead{c.scalp, c.head_mask, c.brain, c.coil.plate};
+            return steps::PlannedHead{c.scalp, c.head_mask, c.brain, c.coil.plate};
           },
           [this](const guidance::TreatmentPlan& next) { model_.setPlan(next); },
           [](int n) { return tr("Target %1").arg(n).toStdString(); },
@@ -78,7 +78,7 @@ std::optional<scene::SlicedCoil> PlanPresenter::slicedCoil() const {
   if (!target) return std::nullopt;
   return scene::SlicedCoil{target->mri_T_target.reframe<Mri, Coil>(),  // the planned coil
                            model_.current().coil.plate,
-                           workflow::alignedBound95_mm(model_.current().store, *target)};
+                           steps::alignedBound95_mm(model_.current().store, *target)};
 }
 
 template <class Edit>
@@ -87,9 +87,9 @@ void PlanPresenter::attempt(Edit edit, const QString& name) {
   try {
     edit();
     emit changed();
-  } catch (const workflow::PlanRefused& refusal) {
+  } catch (const steps::PlanRefused& refusal) {
     emit refused(wordsOf(refusal, name));
-    if (refusal.refusal() == workflow::PlanRefusal::name_taken) emit changed();  // shows the old name again
+    if (refusal.refusal() == steps::PlanRefusal::name_taken) emit changed();  // shows the old name again
   } catch (const std::exception& error) {  // includes errors of the file system
     emit refused(QString::fromUtf8(error.what()));
   }
@@ -107,11 +107,11 @@ void PlanPresenter::addTargetNear(const Point<Mri>& point) {
   attempt([&] { editor_.addTargetNear(point); });
 }
 
-void PlanPresenter::addPreset(const QString& preset, const workflow::HeadMeasures& measures) {
+void PlanPresenter::addPreset(const QString& preset, const steps::HeadMeasures& measures) {
   attempt([&] {
     const auto& atlas = model_.current().atlas;
-    const auto& named = workflow::presetNamed(preset.toStdString());
-    editor_.addTarget(workflow::placeOf(named, atlas ? &*atlas : nullptr, measures), named.name);
+    const auto& named = steps::presetNamed(preset.toStdString());
+    editor_.addTarget(steps::placeOf(named, atlas ? &*atlas : nullptr, measures), named.name);
   });
 }
 
@@ -211,13 +211,13 @@ void PlanPresenter::setCoil(const QString& file) {
 
 QStringList PlanPresenter::libraryCoils() const {
   QStringList names;
-  for (const auto& coil : workflow::coilsIn(workflow::coilLibrary()))
+  for (const auto& coil : coil_library::coilsIn(coil_library::coilLibrary()))
     if (coil.problem.empty()) names << QString::fromStdString(coil.name);
   return names;
 }
 
 void PlanPresenter::setCoilNamed(const QString& name) {
-  attempt([&] { model_.setCoil(workflow::findCoil(workflow::coilLibrary(), name.toStdString()).file); });
+  attempt([&] { model_.setCoil(coil_library::findCoil(coil_library::coilLibrary(), name.toStdString()).file); });
 }
 
 std::optional<guidance::Dose> PlanPresenter::doseInForce() const {
@@ -310,7 +310,7 @@ QString PlanPresenter::contactWords(const guidance::Target& target) const {
 }
 
 QString PlanPresenter::compareWords(const QString& other) const {
-  const auto* from = workflow::find(plan(), other.toStdString());
+  const auto* from = steps::find(plan(), other.toStdString());
   if (!from || !active()) return {};
   const auto d = guidance::compareTargets(*from, *active());
   return tr("from '%1': %2 mm, cortex %3 mm, tilt %4\u00b0, twist %5\u00b0")

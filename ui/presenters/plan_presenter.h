@@ -1,11 +1,11 @@
 #pragma once
-// PlanPresenter: binds the window to workflow/plan_editor.h. It adds targets on the cortex by a click, and
+// PlanPresenter: binds the window to plan/plan_editor.h. It adds targets on the cortex by a click, and
 // turns, renames and removes them. Every step can be undone and is saved in the case at once.
 
 #include <QObject>
 
 #include "facenav/scene/coil_slices.h"
-#include "facenav/workflow/plan_editor.h"
+#include "facenav/plan/plan_editor.h"
 #include "presenters/case_model.h"
 
 namespace facenav::ui {
@@ -24,9 +24,9 @@ class PlanPresenter : public QObject {
   /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
   /// Refused if the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
-  /// Adds a target at a preset (workflow/presets.h), with its name; one of the same name is replaced. Refused
+  /// Adds a target at a preset (plan/presets.h), with its name; one of the same name is replaced. Refused
   /// where the head has no such place.
-  void addPreset(const QString& preset, const workflow::HeadMeasures& measures);
+  void addPreset(const QString& preset, const steps::HeadMeasures& measures);
   void removeActive();
   void renameActive(const QString& name);
   /// Turns the handle; > 0 is clockwise when seen along the coil's z.
@@ -99,7 +99,7 @@ class PlanPresenter : public QObject {
   void refused(const QString& words);
 
  private:
-  workflow::PlannedCase planned();
+  steps::PlannedCase planned();
   /// Runs the edit, then emits changed(), or refused() with the reason. `name`: the wanted name of the
   /// target.
   template <class Edit>
@@ -109,7 +109,7 @@ class PlanPresenter : public QObject {
   void setTyped(const QString& typed, const QString& unit, Change change);
 
   CaseModel& model_;
-  workflow::PlanEditor editor_;
+  steps::PlanEditor editor_;
 };
 
 }  // namespace facenav::ui

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kValues = 12;
 
-const workflow::PulseColumnWords& valueColumn(int column) {
-  return workflow::pulseColumns()[std::size_t(column - PulseTable::kFirstValue)];
+const report::PulseColumnWords& valueColumn(int column) {
+  return report::pulseColumns()[std::size_t(column - PulseTable::kFirstValue)];
 }
 
 bool isValue(int column) {
@@ -62,7 +62,7 @@ QVariant PulseTable::text(const casefile::ReviewedPulse& reviewed, int column) c
   if (column == kNumber) return pulse.number;
   if (column == kState) return stateWords(reviewed);
   if (column == kTarget) return pulse.target ? QString::fromStdString(pulse.target->name) : QString();
-  if (isValue(column)) return QString::fromStdString(workflow::valueText(pulse, valueColumn(column).column));
+  if (isValue(column)) return QString::fromStdString(report::valueText(pulse, valueColumn(column).column));
   return QString::fromStdString(reviewed.is_excluded ? reviewed.note : pulse.reason);
 }
 
@@ -70,7 +70,7 @@ QVariant PulseTable::text(const casefile::ReviewedPulse& reviewed, int column) c
 QVariant PulseTable::sortKey(const casefile::ReviewedPulse& reviewed, int column) const {
   if (column == kNumber) return reviewed.pulse.number;
   if (!isValue(column)) return text(reviewed, column).toString().toLower();
-  return workflow::valueOf(reviewed.pulse, valueColumn(column).column)
+  return report::valueOf(reviewed.pulse, valueColumn(column).column)
       .value_or(std::numeric_limits<double>::max());
 }
 
@@ -88,7 +88,7 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
       return reviewed.is_excluded ? QVariant(QColor(158, 171, 184)) : QVariant();
     case Qt::ToolTipRole:
-      if (index.column() == columnOf(workflow::PulseColumn::mep) &&
+      if (index.column() == columnOf(report::PulseColumn::mep) &&
           session_->kept.pulses.edited_meps.count(reviewed.pulse.number))
         return tr("entered after the pulse; double click to type another");
       return QString::fromStdString(reviewed.pulse.utc + " " + reviewed.pulse.reason);
@@ -109,11 +109,11 @@ QVariant PulseTable::headerData(int section, Qt::Orientation orientation, int ro
 
 Qt::ItemFlags PulseTable::flags(const QModelIndex& index) const {
   const auto flags = QAbstractTableModel::flags(index);
-  return index.column() == columnOf(workflow::PulseColumn::mep) ? flags | Qt::ItemIsEditable : flags;
+  return index.column() == columnOf(report::PulseColumn::mep) ? flags | Qt::ItemIsEditable : flags;
 }
 
 bool PulseTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (role != Qt::EditRole || index.column() != columnOf(workflow::PulseColumn::mep)) return false;
+  if (role != Qt::EditRole || index.column() != columnOf(report::PulseColumn::mep)) return false;
   if (value.toString() == text(at(index.row()), index.column()).toString()) return false;
   presenter_.typeMep(numberAt(index.row()), value.toString());
   return true;

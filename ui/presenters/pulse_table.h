@@ -11,7 +11,7 @@ class PulseTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// The columns: number, state, target, those of workflow::pulseColumns(), note.
+  /// The columns: number, state, target, those of report::pulseColumns(), note.
   static constexpr int kNumber = 0, kState = 1, kTarget = 2, kFirstValue = 3;
   static constexpr int kSortRole = Qt::UserRole;
 
@@ -26,7 +26,7 @@ class PulseTable : public QAbstractTableModel {
   int numberAt(int row) const;
   bool isExcluded(int row) const;
   /// The column of the table for one of the values.
-  static int columnOf(workflow::PulseColumn column) { return kFirstValue + int(column); }
+  static int columnOf(report::PulseColumn column) { return kFirstValue + int(column); }
 
  private:
   const casefile::ReviewedPulse& at(int row) const;

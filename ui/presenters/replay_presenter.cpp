@@ -78,7 +78,7 @@ void ReplayPresenter::read(const QString& folder) {
   if (reader_.isRunning()) return;  // this one follows
   being_read_ = folder;
   reader_.start(problem_, [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
-    auto replay = std::make_shared<const workflow::SessionReplay>(workflow::openReplay(folder.toStdString()));
+    auto replay = std::make_shared<const steps::SessionReplay>(steps::openReplay(folder.toStdString()));
     return [this, folder, replay] {
       if (folder != folder_) return folder_.isEmpty() ? void() : read(folder_);
       replay_ = replay;
@@ -182,7 +182,7 @@ QString ReplayPresenter::timeWords() const {
 }
 
 QString ReplayPresenter::lossWords() const {
-  return isOpen() ? QString::fromStdString(workflow::lossAt(track(), moment())) : QString();
+  return isOpen() ? QString::fromStdString(steps::lossAt(track(), moment())) : QString();
 }
 
 QString ReplayPresenter::figures() const {
@@ -207,7 +207,7 @@ pictures::StoredPoses ReplayPresenter::poses() const {
   if (track().is_in_mri) poses.camera_T_mri = moment().camera_T_mri();
   if (track().is_coil) poses.camera_T_coil = moment().camera_T_coil();
   poses.target = target();
-  poses.loss = workflow::lossAt(track(), moment());
+  poses.loss = steps::lossAt(track(), moment());
   return poses;
 }
 
@@ -242,7 +242,7 @@ void ReplayPresenter::choosePictures(const QString& folder) {
                             std::shared_ptr<capture::RecordingPictures> pictures;
                             QString words;
                             try {
-                              pictures = workflow::openPictures(folder.toStdString(), replay->track);
+                              pictures = steps::openPictures(folder.toStdString(), replay->track);
                             } catch (const Error& error) {
                               words = QString::fromUtf8(error.what());
                             }

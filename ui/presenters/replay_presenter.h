@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "facenav/pictures/pose_overlay.h"
-#include "facenav/workflow/session_replay.h"
+#include "facenav/review/session_replay.h"
 #include "presenters/review_presenter.h"
 #include "presenters/task_runner.h"
 
@@ -84,7 +84,7 @@ class ReplayPresenter : public QObject {
   ReviewPresenter& review_;
   CaseModel& model_;
   TaskRunner reader_, picture_reader_, recording_reader_;
-  std::shared_ptr<const workflow::SessionReplay> replay_;
+  std::shared_ptr<const steps::SessionReplay> replay_;
   std::shared_ptr<capture::RecordingPictures> pictures_;  // used by one task at a time
   std::shared_ptr<const cameras::StereoFrame> picture_;
   std::shared_ptr<const pictures::CameraOverlay> overlay_;  // of picture_

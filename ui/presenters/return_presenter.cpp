@@ -3,7 +3,7 @@
 #include <QDateTime>
 
 #include "facenav/core/error.h"
-#include "facenav/workflow/session_return.h"
+#include "facenav/treat/session_return.h"
 
 namespace facenav::ui {
 namespace {
@@ -40,9 +40,9 @@ void ReturnPresenter::look() {
   planned_.reset();
   if (model_.isOpen() && !treat_.isRunning()) {
     const auto folder = model_.current().store.folder();
-    offered_ = workflow::interruptedSession(folder);
+    offered_ = steps::interruptedSession(folder);
     try {
-      if (offered_) planned_ = workflow::plannedPulses(folder, offered_->target);
+      if (offered_) planned_ = steps::plannedPulses(folder, offered_->target);
     } catch (const Error&) {
       // A protocol that cannot be read: the session is offered without its goal.
     }

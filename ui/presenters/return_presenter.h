@@ -1,5 +1,5 @@
 #pragma once
-// ReturnPresenter: the session of the case that was cut off (workflow/session_return.h), as the Treat page
+// ReturnPresenter: the session of the case that was cut off (treat/session_return.h), as the Treat page
 // offers it: go on with it, or begin a new one. It looks when a case is opened and when a session ends.
 
 #include <QObject>

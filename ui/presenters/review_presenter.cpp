@@ -5,11 +5,11 @@
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/workflow/mep_import.h"
-#include "facenav/workflow/pulse_map.h"
-#include "facenav/workflow/pulse_pictures.h"
-#include "facenav/workflow/returned_session.h"
-#include "facenav/workflow/session_report.h"
+#include "facenav/review/mep_import.h"
+#include "facenav/report/pulse_map.h"
+#include "facenav/review/pulse_pictures.h"
+#include "facenav/home/returned_session.h"
+#include "facenav/report/session_report.h"
 #include "report_pdf.h"
 
 namespace facenav::ui {
@@ -61,7 +61,7 @@ void ReviewPresenter::goOn() {
 void ReviewPresenter::readList() {
   const auto folder = model_.current().store.folder();
   reader_.start(tr("Reading the sessions"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
-    auto sessions = workflow::summariseSessions(folder);
+    auto sessions = report::summariseSessions(folder);
     return [this, folder, sessions = std::move(sessions)] {
       if (folder != model_.current().store.folder()) return refresh();
       sessions_ = sessions;
@@ -83,8 +83,8 @@ void ReviewPresenter::readSession() {
     if (brain) {
       // Where the coil was never changes; only pulses that are new have to be looked for.
       const bool is_known = old && old->brain == brain && old->places.size() == pulses.size();
-      read->places = is_known ? old->places : workflow::placesOn(brain->mesh, pulses);
-      read->map = workflow::mepMapOf(brain->mesh, pulses, read->places);
+      read->places = is_known ? old->places : report::placesOn(brain->mesh, pulses);
+      read->map = report::mepMapOf(brain->mesh, pulses, read->places);
     }
     return [this, read, folder] {
       if (!model_.isOpen() || folder != folderOf(chosen_)) return;
@@ -105,7 +105,7 @@ void ReviewPresenter::choose(const QString& name) {
   goOn();
 }
 
-void ReviewPresenter::setColumn(workflow::PulseColumn column) {
+void ReviewPresenter::setColumn(report::PulseColumn column) {
   column_ = column;
   emit columnChanged();
 }
@@ -173,13 +173,13 @@ void ReviewPresenter::typeMep(int number, const QString& typed) {
 
 void ReviewPresenter::importMeps(const QString& csv, std::optional<double> offset_s) {
   attempt([&] {
-    const auto file = workflow::readMepFile(csv.toStdString());
-    const auto match = workflow::matchMeps(file, session_->kept.pulses.pulses, offset_s,
-                                           settingsOf<workflow::MepImportLimits>());
+    const auto file = steps::readMepFile(csv.toStdString());
+    const auto match = steps::matchMeps(file, session_->kept.pulses.pulses, offset_s,
+                                           settingsOf<steps::MepImportLimits>());
     if (match.edits.empty())
       throw Error("no MEP is at the time of a pulse", file.name, "is it this session's file?");
     editor_.setMeps(match.edits);
-    QString words = QString::fromStdString(workflow::mepMatchWords(match, file));
+    QString words = QString::fromStdString(steps::mepMatchWords(match, file));
     if (!match.left_out.empty()) words += ": " + QString::fromStdString(match.left_out.front());
     emit said(words);
   });
@@ -188,7 +188,7 @@ void ReviewPresenter::importMeps(const QString& csv, std::optional<double> offse
 void ReviewPresenter::addReturned(const QString& file) {
   if (!model_.isOpen()) return;
   try {
-    const auto returned = workflow::importReturned(model_.current().store, file.toStdString());
+    const auto returned = steps::importReturned(model_.current().store, file.toStdString());
     emit said(QString::fromStdString(inWords(returned)));
     choose(QString::fromStdString(returned.folder.filename().string()));
     refresh();
@@ -210,13 +210,13 @@ void ReviewPresenter::makeReport(bool has_name) {
   try {
     const auto& store = model_.current().store;
     const auto kept = casefile::readSession(session_->kept.folder);
-    workflow::ReportOptions options;
+    report::ReportOptions options;
     options.has_name = has_name;
-    options.pictures = workflow::pulsePictures(store, kept, session_->places);
-    const auto report = workflow::makeSessionReport(store, kept, options);
+    options.pictures = steps::pulsePictures(store, kept, session_->places);
+    const auto report = report::makeSessionReport(store, kept, options);
     writeWholeFile(kept.folder / "pulses.csv", casefile::pulsesCsv(kept.pulses.pulses),
                    FileAccess::owner_only);
-    writeWholeFile(kept.folder / "report.html", workflow::toHtml(report), FileAccess::owner_only);
+    writeWholeFile(kept.folder / "report.html", report::toHtml(report), FileAccess::owner_only);
     writeReportPdf(report, kept.folder / "report.pdf");
     emit said(tr("report.pdf, report.html and pulses.csv are in %1")
                   .arg(QString::fromStdString(kept.folder.string())));
@@ -225,11 +225,11 @@ void ReviewPresenter::makeReport(bool has_name) {
   }
 }
 
-std::optional<workflow::SessionComparison> ReviewPresenter::compareWith(const QString& earlier) {
+std::optional<steps::SessionComparison> ReviewPresenter::compareWith(const QString& earlier) {
   if (!session_) return std::nullopt;
   try {
     const auto other = casefile::readSessionPulses(folderOf(earlier));
-    return workflow::compareSessions(other.pulses, session_->kept.pulses.pulses);
+    return steps::compareSessions(other.pulses, session_->kept.pulses.pulses);
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 // ReviewPresenter: the sessions of the open case, and one of them with its pulses, map and charts. Files are
-// read on a worker thread; changes are written at once (workflow/review_editor.h) and everything is computed
+// read on a worker thread; changes are written at once (review/review_editor.h) and everything is computed
 // again.
 
 #include <QObject>
@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "facenav/guidance/mep_map.h"
-#include "facenav/workflow/pulse_columns.h"
-#include "facenav/workflow/review_editor.h"
-#include "facenav/workflow/session_compare.h"
-#include "facenav/workflow/session_review.h"
+#include "facenav/report/pulse_columns.h"
+#include "facenav/review/review_editor.h"
+#include "facenav/review/session_compare.h"
+#include "facenav/report/session_review.h"
 #include "presenters/case_model.h"
 #include "presenters/task_runner.h"
 
@@ -34,7 +34,7 @@ class ReviewPresenter : public QObject {
   /// Reads the list of sessions and the chosen one again.
   void refresh();
   /// Oldest first.
-  const std::vector<workflow::SessionSummary>& sessions() const { return sessions_; }
+  const std::vector<report::SessionSummary>& sessions() const { return sessions_; }
   /// Chooses a session by its name; its pulses follow with sessionChanged().
   void choose(const QString& name);
   QString chosen() const { return chosen_; }
@@ -43,8 +43,8 @@ class ReviewPresenter : public QObject {
   std::filesystem::path folderOf(const QString& name) const;
   bool isReading() const { return reader_.isRunning(); }
 
-  workflow::PulseColumn column() const { return column_; }
-  void setColumn(workflow::PulseColumn column);
+  report::PulseColumn column() const { return column_; }
+  void setColumn(report::PulseColumn column);
   /// Number of the pulse that is marked in all views; 0: none.
   int marked() const { return marked_; }
   void mark(int number);
@@ -63,12 +63,12 @@ class ReviewPresenter : public QObject {
   void addReturned(const QString& file);
   void undo();
   void redo();
-  const workflow::ReviewEditor& editor() const { return editor_; }
+  const steps::ReviewEditor& editor() const { return editor_; }
 
   /// Writes report.html, report.pdf and pulses.csv into the session's folder, on this thread (it draws).
   void makeReport(bool has_name);
   /// The chosen session against another one; nothing if that cannot be read (refused() says why).
-  std::optional<workflow::SessionComparison> compareWith(const QString& earlier);
+  std::optional<steps::SessionComparison> compareWith(const QString& earlier);
 
  signals:
   void sessionsChanged();
@@ -88,11 +88,11 @@ class ReviewPresenter : public QObject {
 
   CaseModel& model_;
   TaskRunner reader_;
-  workflow::ReviewEditor editor_;
-  std::vector<workflow::SessionSummary> sessions_;
+  steps::ReviewEditor editor_;
+  std::vector<report::SessionSummary> sessions_;
   std::shared_ptr<const ReviewedSession> session_;
   QString chosen_;
-  workflow::PulseColumn column_ = workflow::PulseColumn::distance;
+  report::PulseColumn column_ = report::PulseColumn::distance;
   int marked_ = 0;
   bool is_list_outdated_ = false, is_session_outdated_ = false;
 };

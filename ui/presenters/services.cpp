@@ -4,17 +4,17 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/dicom/patient.h"
-#include "facenav/workflow/align_case.h"
-#include "facenav/workflow/prepare_case.h"
-#include "facenav/workflow/settle_camera.h"
+#include "facenav/align/align_case.h"
+#include "facenav/prepare/prepare_case.h"
+#include "facenav/setup/settle_camera.h"
 
 namespace facenav::ui {
 namespace {
 
 /// The cameras go on where it cannot be kept.
-void keepStart(const std::string& rig, const workflow::RigStart& found) {
+void keepStart(const std::string& rig, const steps::RigStart& found) {
   try {
-    workflow::keepRigStart(capture::RigStore(), rig, found);
+    steps::keepRigStart(capture::RigStore(), rig, found);
   } catch (const Error& error) {
     logWarning(error.what());
   }
@@ -22,7 +22,7 @@ void keepStart(const std::string& rig, const workflow::RigStart& found) {
 
 }  // namespace
 
-Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
+Services servicesWith(std::function<steps::Registrations()> makeMethods) {
   Services services;
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
     return dicom::listSeries(folder, monitor);
@@ -43,7 +43,7 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.readTemplate = [] { return atlas::readColin27(); };
   services.prepareCase = [makeMethods](const PrepareOrder& order, TaskMonitor& monitor) {
     const auto methods = makeMethods();
-    workflow::PrepareRequest request;
+    steps::PrepareRequest request;
     request.input = order.input;
     request.case_folder = order.case_folder;
     request.series_uid = order.series_uid;
@@ -51,17 +51,17 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
     request.head_segmenter = methods.head_segmenters.defaultName();
     request.brain_segmenter = methods.brain_segmenters.defaultName();
     request.replace = std::filesystem::exists(order.case_folder / "case.json");
-    workflow::prepareCase(methods, request, monitor);
+    steps::prepareCase(methods, request, monitor);
   };
   services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
                                  const coil_tracking::CoilModel* coil, TaskMonitor& monitor) {
     const auto methods = makeMethods();
-    workflow::AlignOrder order{methods.aligners.defaultName()};
+    steps::AlignOrder order{methods.aligners.defaultName()};
     order.stored_pair_stands_in = true;
     if (coil) order.coil = *coil;
-    return workflow::alignRecording(methods, store, recording, order, monitor).outcome;
+    return steps::alignRecording(methods, store, recording, order, monitor).outcome;
   };
-  services.seeAlignment = workflow::seeAlignment;
+  services.seeAlignment = steps::seeAlignment;
   services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
     const auto all = makeMethods();
     return std::make_unique<session::Navigator>(setup,
@@ -84,12 +84,12 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
                                    const RigVerifying& verifying) -> std::unique_ptr<capture::FrameSource> {
     const auto methods = makeMethods();
     if (!verifying.told) return capture::openRig(methods.cameras, rig);
-    workflow::RigStartMethods judges{methods.face_detector(),
+    steps::RigStartMethods judges{methods.face_detector(),
                                      methods.coil_trackers.create(methods.coil_trackers.defaultName()),
                                      verifying.coil};
-    return workflow::openVerified(methods.cameras, rig, std::move(judges),
+    return steps::openVerified(methods.cameras, rig, std::move(judges),
                                   "repair them: Check and repair the cameras",
-                                  [name = rig.name, told = verifying.told](const workflow::RigStart& found) {
+                                  [name = rig.name, told = verifying.told](const steps::RigStart& found) {
                                     keepStart(name, found);
                                     told(found);
                                   });
@@ -99,7 +99,7 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
     capture::CameraSettings settings;
     settings.width_px = width_px;
     settings.height_px = height_px;
-    auto pair = workflow::openNewPair(makeMethods().cameras, left, right, settings);
+    auto pair = steps::openNewPair(makeMethods().cameras, left, right, settings);
     return NewCameras{std::move(pair.source), pair.left, pair.right};
   };
   services.keepRig = [](const capture::NamedRig& rig, Existing existing) {
@@ -108,12 +108,12 @@ Services servicesWith(std::function<workflow::Registrations()> makeMethods) {
   services.noteRig = [](const std::string& name, const capture::RigCheckNote& note) {
     capture::RigStore().note(name, note);
   };
-  services.keepLearnt = [](const std::string& name, const workflow::CamerasLearnt& learnt) {
-    workflow::keepLearnt(capture::RigStore(), name, learnt);
+  services.keepLearnt = [](const std::string& name, const steps::CamerasLearnt& learnt) {
+    steps::keepLearnt(capture::RigStore(), name, learnt);
   };
   services.makeSetupMethods = [makeMethods] {
-    const auto methods = std::make_shared<workflow::Registrations>(makeMethods());
-    return workflow::SetupMethods{
+    const auto methods = std::make_shared<steps::Registrations>(makeMethods());
+    return steps::SetupMethods{
         methods->face_detector(),
         [methods] { return methods->coil_trackers.create(methods->coil_trackers.defaultName()); }};
   };

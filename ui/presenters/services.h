@@ -1,6 +1,6 @@
 #pragma once
 // Services: the steps that the window runs on worker threads, bound to the modules that the command line
-// calls too. The program hands in the methods (workflow/registrations.h); a test replaces single functions.
+// calls too. The program hands in the methods (methods/registrations.h); a test replaces single functions.
 // They throw Error.
 
 #include <QString>
@@ -20,11 +20,11 @@
 #include "facenav/dicom/thumbnail.h"
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/session.h"
-#include "facenav/workflow/alignment_seen.h"
-#include "facenav/workflow/cameras_learnt.h"
-#include "facenav/workflow/registrations.h"
-#include "facenav/workflow/rig_setup.h"
-#include "facenav/workflow/verified_cameras.h"
+#include "facenav/align/alignment_seen.h"
+#include "facenav/setup/cameras_learnt.h"
+#include "facenav/methods/registrations.h"
+#include "facenav/setup/rig_setup.h"
+#include "facenav/setup/verified_cameras.h"
 
 namespace facenav::ui {
 
@@ -40,10 +40,10 @@ struct NewCameras {
   capture::RigCamera left, right;
 };
 
-/// How a kept rig is verified when its cameras open (workflow/verified_cameras.h).
+/// How a kept rig is verified when its cameras open (setup/verified_cameras.h).
 struct RigVerifying {
   coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
-  workflow::VerifiedCameras::Told told = {};  // empty: it is not verified
+  steps::VerifiedCameras::Told told = {};  // empty: it is not verified
 };
 
 struct Services {
@@ -63,11 +63,11 @@ struct Services {
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: whose marker the
   /// pictures may show; null: as the case says. Stores the result in the case.
-  std::function<workflow::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
+  std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                            const coil_tracking::CoilModel* coil, TaskMonitor&)>
       align;
   /// What a person judges the alignment by. Empty: nothing is shown.
-  std::function<workflow::AlignmentSeen(const casefile::CaseStore&, const workflow::AlignmentOutcome&)>
+  std::function<steps::AlignmentSeen(const casefile::CaseStore&, const steps::AlignmentOutcome&)>
       seeAlignment;
   /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
   std::function<std::vector<capture::FoundCamera>(capture::Search)> listCameras;
@@ -86,9 +86,9 @@ struct Services {
   /// The result of a kept rig's check, into the store.
   std::function<void(const std::string& name, const capture::RigCheckNote&)> noteRig;
   /// What a session learnt about a kept rig, into the store; from any thread.
-  std::function<void(const std::string& name, const workflow::CamerasLearnt&)> keepLearnt;
+  std::function<void(const std::string& name, const steps::CamerasLearnt&)> keepLearnt;
   /// What the set-up of a camera pair judges pictures with.
-  std::function<workflow::SetupMethods()> makeSetupMethods;
+  std::function<steps::SetupMethods()> makeSetupMethods;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   /// The labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;
@@ -96,6 +96,6 @@ struct Services {
 
 /// All services as the programs use them. `makeMethods` is called for each task, because threads must not
 /// share methods.
-Services servicesWith(std::function<workflow::Registrations()> makeMethods);
+Services servicesWith(std::function<steps::Registrations()> makeMethods);
 
 }  // namespace facenav::ui

@@ -2,7 +2,7 @@
 
 #include <future>
 
-#include "facenav/workflow/session_report.h"
+#include "facenav/report/session_report.h"
 
 namespace facenav::ui {
 namespace {
@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
 
 }  // namespace
 
-void endBeside(Retirement& retirement, std::shared_ptr<workflow::Treatment> treatment) {
+void endBeside(Retirement& retirement, std::shared_ptr<steps::Treatment> treatment) {
   endBeside(
       retirement, [treatment] { treatment->end(); }, [treatment] { treatment->keepReport(); });
 }
@@ -39,7 +39,7 @@ void endBeside(Retirement& retirement, std::function<void()> end, std::function<
 
 void reportBeside(Retirement& retirement, const std::filesystem::path& case_folder,
                   const std::filesystem::path& session) {
-  retirement.add([case_folder, session] { workflow::writeSessionReport(case_folder, session); },
+  retirement.add([case_folder, session] { report::writeSessionReport(case_folder, session); },
                  std::chrono::milliseconds(0));
 }
 

@@ -6,14 +6,14 @@
 #include <functional>
 #include <memory>
 
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 #include "presenters/retirement.h"
 
 namespace facenav::ui {
 
 /// A good camera ends within one frame, the log when all is written; the report follows. Returns then, or
 /// after a second.
-void endBeside(Retirement& retirement, std::shared_ptr<workflow::Treatment> treatment);
+void endBeside(Retirement& retirement, std::shared_ptr<steps::Treatment> treatment);
 /// The same in two steps: `report` comes after `end`, also where `end` throws.
 void endBeside(Retirement& retirement, std::function<void()> end, std::function<void()> report);
 /// Writes the report of a session that has ended again.

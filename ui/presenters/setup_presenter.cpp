@@ -9,7 +9,7 @@
 namespace facenav::ui {
 namespace {
 
-using Step = workflow::SetupStep;
+using Step = steps::SetupStep;
 
 const char* const kBoard = "setup/board";
 const char* const kSquare = "setup/square_mm";
@@ -147,19 +147,19 @@ void SetupPresenter::openKept(const QString& name) {
 
 void SetupPresenter::begin(std::unique_ptr<capture::FrameSource> source,
                            std::optional<cameras::StereoRig> rig) {
-  workflow::SetupOptions options;
+  steps::SetupOptions options;
   options.board = board_;
   options.rig = std::move(rig);
   if (const auto* chosen = coil()) options.coil = chosen->model;
   step_ = Step::place;
   is_kept_ = false;
   kept_row_times_s_.reset();
-  setup_ = std::make_shared<workflow::RigSetup>(std::move(source), options, services_.makeSetupMethods());
+  setup_ = std::make_shared<steps::RigSetup>(std::move(source), options, services_.makeSetupMethods());
   emit changed();
 }
 
-std::shared_ptr<const workflow::SetupView> SetupPresenter::view() const {
-  static const auto kNothing = std::make_shared<const workflow::SetupView>();
+std::shared_ptr<const steps::SetupView> SetupPresenter::view() const {
+  static const auto kNothing = std::make_shared<const steps::SetupView>();
   return setup_ ? setup_->latest() : kNothing;
 }
 
@@ -236,13 +236,13 @@ bool SetupPresenter::printBoard(const QString& file) {
 
 void SetupPresenter::noteCheckOfKept() {
   const auto check = setup_ && !opened_rig_.isEmpty() && !is_kept_ ? setup_->verification() : std::nullopt;
-  if (!check || check->state == workflow::RigState::unclear || !services_.noteRig) return;
+  if (!check || check->state == health::RigState::unclear || !services_.noteRig) return;
   const std::string name = opened_rig_.toStdString();
-  if (check->state == workflow::RigState::holds) is_kept_ = true;
+  if (check->state == health::RigState::holds) is_kept_ = true;
   if (noted_ == check->words()) return;
   noted_ = check->words();
   try {
-    services_.noteRig(name, {utcNow(), workflow::toString(check->state), check->words()});
+    services_.noteRig(name, {utcNow(), health::toString(check->state), check->words()});
     emit kept(opened_rig_);
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
@@ -265,13 +265,13 @@ capture::NamedRig SetupPresenter::named() const {
   rig.rig = setup_->rig().value();
   rig.uncertainty = setup_->uncertainty();
   const auto check = setup_->verification().value();
-  rig.last_check = {utcNow(), workflow::toString(check.state), check.words()};
+  rig.last_check = {utcNow(), health::toString(check.state), check.words()};
   return rig;
 }
 
 bool SetupPresenter::keep(bool replaces) {
   const auto check = setup_ ? setup_->verification() : std::nullopt;
-  if (!check || check->state != workflow::RigState::holds || !services_.keepRig) {
+  if (!check || check->state != health::RigState::holds || !services_.keepRig) {
     emit refused(tr("the calibration is kept once its check holds"));
     return false;
   }
@@ -293,7 +293,7 @@ QStringList SetupPresenter::coilNames() const {
   return names;
 }
 
-const workflow::LibraryCoil* SetupPresenter::coil() const {
+const coil_library::LibraryCoil* SetupPresenter::coil() const {
   for (const auto& each : coils_)
     if (each.name == coil_name_.toStdString()) return &each;
   return nullptr;
@@ -301,7 +301,7 @@ const workflow::LibraryCoil* SetupPresenter::coil() const {
 
 void SetupPresenter::chooseCoil(const QString& name) {
   coils_.clear();
-  for (auto& each : workflow::coilsIn(workflow::coilLibrary()))
+  for (auto& each : coil_library::coilsIn(coil_library::coilLibrary()))
     if (each.problem.empty()) coils_.push_back(std::move(each));
   coil_name_ = name;
   if (const auto* chosen = coil(); chosen && setup_) setup_->useCoil(chosen->model);
@@ -331,7 +331,7 @@ void SetupPresenter::keepRowTimes() {
   const QString name = is_kept_ ? name_.trimmed() : opened_rig_;
   if (name.isEmpty()) return;
   kept_row_times_s_ = times;
-  workflow::CamerasLearnt learnt;
+  steps::CamerasLearnt learnt;
   learnt.row_times_s = times;
   services_.keepLearnt(name.toStdString(), learnt);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// SetupPresenter: the set-up of a camera pair in four steps (workflow/rig_setup.h): which two cameras, the
+// SetupPresenter: the set-up of a camera pair in four steps (setup/rig_setup.h): which two cameras, the
 // steps, and the rig that is kept under a name at the end. A kept rig is opened at its check.
 
 #include <QObject>
@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "facenav/workflow/coil_library.h"
-#include "facenav/workflow/rig_setup.h"
+#include "facenav/coil_library/coil_library.h"
+#include "facenav/setup/rig_setup.h"
 #include "presenters/retirement.h"
 #include "presenters/services.h"
 #include "presenters/task_runner.h"
@@ -42,12 +42,12 @@ class SetupPresenter : public QObject {
   bool isOpen() const { return setup_ != nullptr; }
 
   // The steps.
-  workflow::SetupStep step() const { return step_; }
-  void go(workflow::SetupStep step);
+  steps::SetupStep step() const { return step_; }
+  void go(steps::SetupStep step);
   /// False: something before it is missing.
-  bool canGo(workflow::SetupStep step) const;
+  bool canGo(steps::SetupStep step) const;
   /// What the newest pair shows; a view without a picture before the first.
-  std::shared_ptr<const workflow::SetupView> view() const;
+  std::shared_ptr<const steps::SetupView> view() const;
   /// One sentence: of the running step, or what must come first.
   QString sentence() const;
 
@@ -95,7 +95,7 @@ class SetupPresenter : public QObject {
 
  private:
   void begin(std::unique_ptr<capture::FrameSource> source, std::optional<cameras::StereoRig> rig);
-  const workflow::LibraryCoil* coil() const;
+  const coil_library::LibraryCoil* coil() const;
   capture::NamedRig named() const;
 
   const Services& services_;
@@ -104,9 +104,9 @@ class SetupPresenter : public QObject {
   QString left_, right_, size_, name_, coil_name_;
   cameras::Board board_{9, 6, 25.0};
   std::optional<capture::RigCamera> left_camera_, right_camera_;
-  std::vector<workflow::LibraryCoil> coils_;
-  std::shared_ptr<workflow::RigSetup> setup_;
-  workflow::SetupStep step_ = workflow::SetupStep::place;
+  std::vector<coil_library::LibraryCoil> coils_;
+  std::shared_ptr<steps::RigSetup> setup_;
+  steps::SetupStep step_ = steps::SetupStep::place;
   QString opened_rig_;  // a kept one, as it was kept; empty: none, or it is being repaired
   std::string noted_;   // words of the check that was stored
   bool is_kept_ = false;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "facenav/anatomy/brain_norms.h"
-#include "facenav/workflow/sign_off_gate.h"
+#include "facenav/prepare/sign_off_gate.h"
 
 namespace facenav::ui {
 namespace {
@@ -64,22 +64,22 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
 
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
-  workflow::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
+  steps::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
                                model_.current().sign_off.has_draft};
   if (!seen_.empty()) {  // the outlines are the first item
     claim.outlines_seen = seen_.front();
     claim.findings_seen.erase(claim.findings_seen.begin());
   }
-  const auto missing = workflow::missingForSignOff(claim);
+  const auto missing = steps::missingForSignOff(claim);
   if (missing.empty()) return {};
   switch (missing.front().gap) {
-    case workflow::SignOffGap::signed_already:
+    case steps::SignOffGap::signed_already:
       return tr("signed off already");
-    case workflow::SignOffGap::unsaved_correction:
+    case steps::SignOffGap::unsaved_correction:
       return tr("a correction of the brain is not saved: save or discard it first (step 3)");
-    case workflow::SignOffGap::unseen:
+    case steps::SignOffGap::unseen:
       return tr("%1 of %2 still to be ticked").arg(missing.front().open).arg(missing.front().all);
-    case workflow::SignOffGap::no_name:
+    case steps::SignOffGap::no_name:
       return tr("your name or initials are missing");
   }
   return {};

@@ -22,7 +22,7 @@ void TipPresenter::follow(const session::NavigationState& state) {
   if (spot_)
     reading_ = spot_->reading;
   else if (check && treat_.isRunning())
-    reading_ = workflow::readTip(state, treat_.tip(), *check);
+    reading_ = steps::readTip(state, treat_.tip(), *check);
   const QString now = offSkin() + skinWords() + offPlace() + placeWords() + words();
   if (now == shown_) return;
   shown_ = now;
@@ -34,12 +34,12 @@ void TipPresenter::pick(stereo::PictureSide side, const QPointF& px, const sessi
   if (!check || !treat_.isRunning() || !treat_.rig()) return;
   forgetSpot();
   last_.clear();
-  refusal_ = state.rig_correction.empty()
+  refusal_ = !state.rig_correction
                  ? tr("Not found in the other picture. Click a spot with detail that both cameras see.")
                  : tr("A camera moved, so that a clicked spot cannot be measured. Use the coil's tip.");
   refused_ = Timestamp::now();
   try {
-    if (const auto reading = workflow::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
+    if (const auto reading = steps::readPickedSpot(state, *treat_.rig(), side, {px.x(), px.y()}, *check)) {
       spot_ = {*reading, Timestamp::now()};
       treat_.showSpot(reading->tip);
       refusal_.clear();
@@ -94,12 +94,12 @@ QString TipPresenter::words() const {
 
 bool TipPresenter::canJudge() const { return treat_.isRunning() && refusal_.isEmpty() && isNear(); }
 
-void TipPresenter::judge(workflow::TipVerdict verdict) {
+void TipPresenter::judge(steps::TipVerdict verdict) {
   if (!canJudge()) return;
   treat_.judgeTip(verdict, *reading_);
   last_ =
       QTime::currentTime().toString("HH:mm ") +
-      (verdict == workflow::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
+      (verdict == steps::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
           .arg(QString::fromStdString(inWords(*reading_)));
   forgetSpot();
   emit changed();

@@ -1,5 +1,5 @@
 #pragma once
-// TipPresenter: the check of the alignment that a person judges (workflow/alignment_seen.h): the coil's tip
+// TipPresenter: the check of the alignment that a person judges (align/alignment_seen.h): the coil's tip
 // is held to nose or ear, or a spot is clicked in a live picture (a finger's tip, a mole); the page says
 // where it is on the MRI's skin, and the person says right or wrong. The judgement is an event of the
 // session; a wrong one withholds guidance until a measured check passes.
@@ -36,7 +36,7 @@ class TipPresenter : public QObject {
   /// The tip is near the head, in a running session.
   bool canJudge() const;
   /// Does nothing unless canJudge().
-  void judge(workflow::TipVerdict verdict);
+  void judge(steps::TipVerdict verdict);
   const std::optional<guidance::TipReading>& reading() const { return reading_; }
 
  signals:

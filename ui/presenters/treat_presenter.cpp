@@ -6,9 +6,9 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "facenav/workflow/session_return.h"
-#include "facenav/workflow/sign_off_gate.h"
-#include "facenav/workflow/software_version.h"
+#include "facenav/treat/session_return.h"
+#include "facenav/prepare/sign_off_gate.h"
+#include "facenav/core/software_version.h"
 #include "presenters/recording_words.h"
 #include "presenters/session_end.h"
 
@@ -71,8 +71,8 @@ void TreatPresenter::forgetCase() {
 
 void TreatPresenter::openRecording(const QString& folder) {
   tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
-    auto film = std::make_shared<workflow::TreatmentFilm>(
-        workflow::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
+    auto film = std::make_shared<steps::TreatmentFilm>(
+        steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
     return [this, film] {
       stop();
       recording_ = film->recording;
@@ -139,7 +139,7 @@ void TreatPresenter::align(bool then_start) {
       tr("Aligning the head"),
       [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
        recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
-        workflow::requireSignOff(store, is_overridden);
+        steps::requireSignOff(store, is_overridden);
         return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
           use(aligned);
           emit changed();
@@ -170,8 +170,8 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
   tasks_.start(tr("Going on with the session"),
                [this, session, recording, store = model_.current().store, coil = coil_.model(),
                 is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 workflow::requireSignOff(store, is_overridden);
-                 const auto folder = workflow::sessionToGoOnWith(store.folder(), session.name).folder;
+                 steps::requireSignOff(store, is_overridden);
+                 const auto folder = steps::sessionToGoOnWith(store.folder(), session.name).folder;
                  return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
                          target = QString::fromStdString(session.target)] {
                    use(aligned);
@@ -186,25 +186,25 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (is_live_) cameras_.readAgain();  // a note that they have moved is in force at once
   if (!recording_ || refuseCameras()) return;
-  workflow::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
+  steps::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
                                      aligned_.outcome};
   coil_.noteIn(request);
   request.goes_on = goes_on;
   if (is_live_) request.keepLearnt = cameras_.keeper();
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
-  workflow::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
+  steps::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
   tasks_.start(tr("Starting the trackers"),
                [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 const auto prepared = workflow::prepareTreatment(request, services_.makeNavigator, cameras);
+                 const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
                  return [this, prepared] { begin(*prepared); };
                });
 }
 
 /// A session that ended by itself still exists, with its log. It is ended first.
-void TreatPresenter::begin(workflow::PreparedTreatment& prepared) {
+void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
   if (treatment_) endSession();
-  treatment_ = std::make_shared<workflow::Treatment>(std::move(prepared), chosen());
+  treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), chosen());
   last_session_ = treatment_->log().folder();
   treatment_->setIntensity(intensity_pct_);
   emit changed();
@@ -265,10 +265,10 @@ void TreatPresenter::showSkin(bool is_shown) {
   emit changed();
 }
 
-void TreatPresenter::judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading) {
+void TreatPresenter::judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading) {
   if (!isRunning()) return;
   treatment_->judgeTip(verdict, reading);
-  is_judged_wrong_ |= verdict == workflow::TipVerdict::wrong;
+  is_judged_wrong_ |= verdict == steps::TipVerdict::wrong;
   emit changed();
 }
 
@@ -278,7 +278,7 @@ bool TreatPresenter::note(const QString& event, const QString& detail) {
     return false;
   }
   try {
-    const auto words = workflow::noteWords(detail.toStdString(), event.toStdString());
+    const auto words = report::noteWords(detail.toStdString(), event.toStdString());
     if (treatment_) {
       treatment_->log().addEvent(event.toStdString(), words);
       return true;
@@ -302,7 +302,7 @@ void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
   if (!model_.isOpen()) return;
   try {
     casefile::recordOverride(model_.current().store, by.trimmed().toStdString(),
-                             reason.trimmed().toStdString(), workflow::softwareVersion());
+                             reason.trimmed().toStdString(), softwareVersion());
     model_.setOverride({by.trimmed(), reason.trimmed()});
     emit changed();
   } catch (const Error& error) {
@@ -343,7 +343,7 @@ const guidance::Target* TreatPresenter::target() const {
 
 std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
   const auto* t = target();
-  return t ? std::optional(workflow::chosenTarget(*t, aligned_.outcome.get())) : std::nullopt;
+  return t ? std::optional(steps::chosenTarget(*t, aligned_.outcome.get())) : std::nullopt;
 }
 
 QString TreatPresenter::recordingFolder() const {
@@ -359,14 +359,14 @@ QString TreatPresenter::recordingWords() const {
 
 QString TreatPresenter::alignmentWords() const {
   if (!isAligned()) return tr("not aligned in this session");
-  return QString::fromStdString(workflow::alignmentWords(*aligned_.outcome, target()));
+  return QString::fromStdString(steps::alignmentWords(*aligned_.outcome, target()));
 }
 
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (treatment_) {
     const auto latest = treatment_->session().latest();
-    if (!latest->rig_correction.empty()) rig_fault_ = QString::fromStdString(latest->rig_correction);
-    if (!latest->rig_fault.empty()) rig_fault_ = QString::fromStdString(latest->rig_fault);
+    if (latest->rig_correction) rig_fault_ = QString::fromStdString(inWords(*latest->rig_correction));
+    if (const auto fault = session::rigFault(*latest)) rig_fault_ = QString::fromStdString(fault->words());
     if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
   }

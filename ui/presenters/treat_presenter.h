@@ -1,6 +1,6 @@
 #pragma once
 // TreatPresenter: cameras (or a recording), align, guide: what the Treat page shows of a treatment
-// (workflow/treatment.h). Only a case with a valid sign-off, or an override with name and reason, can be
+// (treat/treatment.h). Only a case with a valid sign-off, or an override with name and reason, can be
 // treated.
 
 #include <QObject>
@@ -9,7 +9,7 @@
 
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
-#include "facenav/workflow/treatment.h"
+#include "facenav/treat/treatment.h"
 #include "presenters/aligned_head.h"
 #include "presenters/cameras_presenter.h"
 #include "presenters/case_model.h"
@@ -143,7 +143,7 @@ class TreatPresenter : public QObject {
   }
 
   /// The MRI's skin and the check of the coil's tip, of the alignment in use; null members: none.
-  const workflow::AlignmentSeen& alignmentSeen() const { return aligned_.seen; }
+  const steps::AlignmentSeen& alignmentSeen() const { return aligned_.seen; }
   /// The MRI's skin over the pictures that the alignment was made from; null: none.
   const std::shared_ptr<const pictures::CameraOverlay>& alignmentPicture() const { return aligned_.picture; }
   /// The skin is drawn over the live pictures: from an alignment on, until it is switched off.
@@ -156,7 +156,7 @@ class TreatPresenter : public QObject {
   /// Drawn over the live pictures with the skin; nothing: none.
   void showSpot(const std::optional<Point<Mri>>& spot) { spot_ = spot; }
   /// Logs it; after a wrong one guidance is withheld, and the head must be aligned again.
-  void judgeTip(workflow::TipVerdict verdict, const guidance::TipReading& reading);
+  void judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading);
 
   /// The newest state; everything is lost if nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
@@ -173,7 +173,7 @@ class TreatPresenter : public QObject {
   /// With words; false: the cameras are those that were opened, and are not known to have moved.
   bool refuseCameras();
   void use(const AlignedHead& aligned);
-  void begin(workflow::PreparedTreatment& prepared);
+  void begin(steps::PreparedTreatment& prepared);
   void useCameras();
   void forgetCameras();
   void forgetCase();
@@ -193,7 +193,7 @@ class TreatPresenter : public QObject {
   bool is_judged_wrong_ = false;  // aligned_, by a person; until the head is aligned again
   bool shows_skin_ = true;
   std::optional<Point<Mri>> spot_;
-  std::shared_ptr<workflow::Treatment> treatment_;  // null: none was started
+  std::shared_ptr<steps::Treatment> treatment_;  // null: none was started
   Retirement retirement_;
   std::filesystem::path last_session_;
   QString target_, pulse_source_;

@@ -26,7 +26,7 @@ void drawCoverage(QPainter& painter, const QSize& size, const std::vector<bool>&
 
 }  // namespace
 
-QImage markedPicture(const workflow::SetupView& view, bool is_left) {
+QImage markedPicture(const steps::SetupView& view, bool is_left) {
   if (!view.frame) return {};
   const cv::Mat& grey = is_left ? view.frame->left : view.frame->right;
   QImage image =
@@ -37,7 +37,7 @@ QImage markedPicture(const workflow::SetupView& view, bool is_left) {
   QFont font = painter.font();
   font.setPixelSize(image.height() / 16);
   painter.setFont(font);
-  if (view.step == workflow::SetupStep::calibrate && view.coverage && !view.is_done)
+  if (view.step == steps::SetupStep::calibrate && view.coverage && !view.is_done)
     drawCoverage(painter, image.size(), is_left ? view.coverage->left_cells : view.coverage->right_cells);
   painter.setPen(QPen(view.is_done ? kGood : kMark, line));
   if (const auto& box = is_left ? view.left_box : view.right_box)

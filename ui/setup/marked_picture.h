@@ -4,11 +4,11 @@
 
 #include <QImage>
 
-#include "facenav/workflow/rig_setup.h"
+#include "facenav/setup/rig_setup.h"
 
 namespace facenav::ui {
 
 /// Null where the view has no picture.
-QImage markedPicture(const workflow::SetupView& view, bool is_left);
+QImage markedPicture(const steps::SetupView& view, bool is_left);
 
 }  // namespace facenav::ui

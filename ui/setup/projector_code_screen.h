@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "facenav/workflow/projector_run.h"
+#include "facenav/setup/projector_run.h"
 
 namespace facenav::ui {
 
@@ -20,7 +20,7 @@ class ProjectorCodeScreen : public QWidget {
   ProjectorCodeScreen(const cameras::StereoRig& rig, const QSize& size, Latest latest,
                       QWidget* parent = nullptr);
   void startScene();
-  const workflow::ProjectorRun& run() const { return run_; }
+  const steps::ProjectorRun& run() const { return run_; }
 
  signals:
   /// After a scene: what was found.
@@ -34,7 +34,7 @@ class ProjectorCodeScreen : public QWidget {
   void look();
 
   Latest latest_;
-  workflow::ProjectorRun run_;
+  steps::ProjectorRun run_;
   QTimer timer_;
   std::int64_t last_ = -1;
 };

@@ -18,7 +18,7 @@
 namespace facenav::ui {
 namespace {
 
-using Step = workflow::SetupStep;
+using Step = steps::SetupStep;
 
 /// Its width follows the layout, not the longest name.
 QComboBox* narrowBox(QWidget* parent, const QString& tip) {

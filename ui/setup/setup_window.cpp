@@ -19,7 +19,7 @@
 namespace facenav::ui {
 namespace {
 
-using Step = workflow::SetupStep;
+using Step = steps::SetupStep;
 
 constexpr int kSetupRefresh_ms = 60, kToolsWidth_px = 270;
 const QColor kPlainWords(237, 241, 245), kDoneWords(82, 200, 120), kTroubleWords(255, 140, 130);
@@ -149,7 +149,7 @@ void SetupWindow::showSteps() {
   }
 }
 
-void SetupWindow::showLines(const workflow::SetupView& view) {
+void SetupWindow::showLines(const steps::SetupView& view) {
   QStringList words;
   for (const auto& line : view.lines)
     words << (line.is_good ? QString::fromUtf8("\u2713  ") : QString::fromUtf8("\u2717  ")) +

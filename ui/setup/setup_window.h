@@ -44,7 +44,7 @@ class SetupWindow : public QWidget {
   void goBack();
   void refresh();
   void showSteps();
-  void showLines(const workflow::SetupView& view);
+  void showLines(const steps::SetupView& view);
 
   Services services_;
   TaskRunner tasks_;
@@ -59,7 +59,7 @@ class SetupWindow : public QWidget {
   QTimer timer_;
   QString to_open_;  // a kept pair
   QString trouble_;  // the last refusal; empty: none
-  std::shared_ptr<const workflow::SetupView> shown_;
+  std::shared_ptr<const steps::SetupView> shown_;
 };
 
 }  // namespace facenav::ui

@@ -20,7 +20,7 @@ void ChartView::set(Make make) {
 }
 
 void ChartView::makeChart() {
-  chart_ = make_ ? make_(int(width() / scale()), int(height() / scale())) : workflow::Chart{};
+  chart_ = make_ ? make_(int(width() / scale()), int(height() / scale())) : report::Chart{};
   update();
 }
 

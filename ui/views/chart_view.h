@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "facenav/workflow/chart.h"
+#include "facenav/report/chart.h"
 
 namespace facenav::ui {
 
@@ -13,11 +13,11 @@ class ChartView : public QWidget {
 
  public:
   /// Makes the chart for a size in chart units; empty: nothing is drawn.
-  using Make = std::function<workflow::Chart(int width, int height)>;
+  using Make = std::function<report::Chart(int width, int height)>;
 
   explicit ChartView(QWidget* parent = nullptr);
   void set(Make make);
-  const workflow::Chart& chart() const { return chart_; }
+  const report::Chart& chart() const { return chart_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -26,7 +26,7 @@ class ChartView : public QWidget {
  private:
   void makeChart();
   Make make_;
-  workflow::Chart chart_;
+  report::Chart chart_;
 };
 
 }  // namespace facenav::ui

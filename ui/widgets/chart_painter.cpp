@@ -5,8 +5,8 @@
 namespace facenav::ui {
 namespace {
 
-using workflow::ChartShape;
-using workflow::Ink;
+using report::ChartShape;
+using report::Ink;
 
 QColor colourOf(Ink ink, ChartPaper paper) {
   const bool is_dark = paper == ChartPaper::dark;
@@ -70,7 +70,7 @@ void paintShape(QPainter& painter, const ChartShape& s, QColor colour) {
 
 }  // namespace
 
-void paintChart(QPainter& painter, const workflow::Chart& chart, ChartPaper paper) {
+void paintChart(QPainter& painter, const report::Chart& chart, ChartPaper paper) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const ChartShape& shape : chart.shapes) {

@@ -15,7 +15,7 @@
 namespace facenav::ui {
 namespace {
 
-namespace events = workflow::session_events;
+namespace events = report::session_events;
 
 QHBoxLayout* rowIn(QWidget* widget) {
   auto* row = new QHBoxLayout(widget);

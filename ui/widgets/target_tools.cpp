@@ -54,7 +54,7 @@ void TargetTools::addPreset(const QString& name) {
 QMenu* TargetTools::presetMenu() {
   auto* menu = new QMenu(this);
   auto* eeg = new QMenu(tr("EEG site"), menu);
-  for (const auto& preset : workflow::presets()) {
+  for (const auto& preset : steps::presets()) {
     const QString name = QString::fromStdString(preset.name);
     const bool is_eeg = name.startsWith("eeg:");
     auto* action =

@@ -72,8 +72,8 @@ QWidget* TipPanel::makeJudgement() {
   wrong_->setShortcut(Qt::Key_W);
   row->addWidget(right_, 1);
   row->addWidget(wrong_, 1);
-  connect(right_, &QPushButton::clicked, this, [this] { tip_.judge(workflow::TipVerdict::right); });
-  connect(wrong_, &QPushButton::clicked, this, [this] { tip_.judge(workflow::TipVerdict::wrong); });
+  connect(right_, &QPushButton::clicked, this, [this] { tip_.judge(steps::TipVerdict::right); });
+  connect(wrong_, &QPushButton::clicked, this, [this] { tip_.judge(steps::TipVerdict::wrong); });
   return bar;
 }
 

@@ -115,7 +115,7 @@ void PlanWorkspace::filterTargets() {
   const QString words = search_->text().trimmed();
   for (int i = 0; i < targets_->count(); ++i) {
     auto* item = targets_->item(i);
-    const auto* target = workflow::find(presenter_.plan(), item->text().toStdString());
+    const auto* target = steps::find(presenter_.plan(), item->text().toStdString());
     const bool has_words =
         item->text().contains(words, Qt::CaseInsensitive) ||
         (target && QString::fromStdString(target->note).contains(words, Qt::CaseInsensitive));

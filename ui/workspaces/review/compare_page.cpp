@@ -15,7 +15,7 @@ namespace {
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
-QString meanWords(const workflow::MeanCoil& mean) {
+QString meanWords(const steps::MeanCoil& mean) {
   return QObject::tr("%1 pulses, \u00b1%2 mm, \u00b1%3\u00b0")
       .arg(mean.pulses)
       .arg(mean.spread_mm, 0, 'f', 1)
@@ -29,7 +29,7 @@ QString namesOf(const std::vector<std::string>& names) {
 }
 
 /// One line of the table per figure, so that long names and doubled text stay readable.
-std::vector<std::pair<QString, QString>> rowsOf(const workflow::TargetReturn& back) {
+std::vector<std::pair<QString, QString>> rowsOf(const steps::TargetReturn& back) {
   std::vector<std::pair<QString, QString>> rows{
       {QObject::tr("Return error: coil's centre"), number(back.distance_mm, 2) + " mm"},
       {QObject::tr("Return error: tilt"), number(back.tilt_deg, 2) + QString::fromUtf8("\u00b0")},

@@ -9,8 +9,8 @@
 
 #include "appearance.h"
 #include "facenav/core/settings_in_force.h"
-#include "facenav/workflow/pulse_pictures.h"
-#include "facenav/workflow/review_charts.h"
+#include "facenav/review/pulse_pictures.h"
+#include "facenav/report/review_charts.h"
 #include "views/chart_view.h"
 #include "views/scene_view.h"
 #include "widgets/colour_legend.h"
@@ -84,7 +84,7 @@ QWidget* PulsesPage::makeChoice() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   column_ = new QComboBox(bar);
-  for (const auto& words : workflow::pulseColumns()) column_->addItem(tr(words.name));
+  for (const auto& words : report::pulseColumns()) column_->addItem(tr(words.name));
   column_->setToolTip(tr("the number by which the pulses are coloured and plotted"));
   legend_ = new ColourLegend(bar);
   heat_ = new QCheckBox(tr("MEP map"), bar);
@@ -97,7 +97,7 @@ QWidget* PulsesPage::makeChoice() {
   row->addWidget(heat_);
   row->addWidget(skin_);
   connect(column_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int i) { presenter_.setColumn(workflow::PulseColumn(i)); });
+          [this](int i) { presenter_.setColumn(report::PulseColumn(i)); });
   connect(heat_, &QCheckBox::toggled, this, &PulsesPage::showPulses);
   connect(skin_, &QCheckBox::toggled, this, [this](bool is_shown) {
     scene::SceneLayers layers;
@@ -148,7 +148,7 @@ void PulsesPage::showPulses() {
   const auto session = presenter_.session();
   column_->setCurrentIndex(int(presenter_.column()));
   layer_->clearHeat();
-  const auto& words = workflow::wordsOf(presenter_.column());
+  const auto& words = report::wordsOf(presenter_.column());
   if (!session) {
     layer_->set({});
     legend_->set({}, {}, 0, std::nullopt);
@@ -159,9 +159,9 @@ void PulsesPage::showPulses() {
     legend_->set(tr("MEP"), "uV", 0, range);
   } else {
     const auto& pulses = session->kept.pulses.pulses;
-    layer_->set(workflow::marksOf(pulses, session->places, presenter_.column(),
+    layer_->set(steps::marksOf(pulses, session->places, presenter_.column(),
                                   presenter_.marked() ? std::optional(presenter_.marked()) : std::nullopt));
-    const auto range = workflow::rangeOf(pulses, presenter_.column());
+    const auto range = steps::rangeOf(pulses, presenter_.column());
     legend_->set(range ? tr(words.name) : tr("no pulse has: %1").arg(tr(words.name)), words.unit,
                  words.decimals, range);
   }
@@ -176,10 +176,10 @@ void PulsesPage::showCharts() {
     return drift_->set({});
   }
   histogram_->set([session, column](int width, int height) {
-    return workflow::histogramOf(session->kept.pulses.pulses, column, width, height);
+    return report::histogramOf(session->kept.pulses.pulses, column, width, height);
   });
   drift_->set([session, column](int width, int height) {
-    return workflow::driftChart(session->kept.pulses.pulses, column, width, height);
+    return report::driftChart(session->kept.pulses.pulses, column, width, height);
   });
 }
 

@@ -26,7 +26,7 @@ QString minutes(const std::optional<double>& seconds) {
   return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
 }
 
-QString spread(const std::optional<workflow::Spread>& value) {
+QString spread(const std::optional<report::Spread>& value) {
   if (!value) return QString::fromUtf8("\u2013");
   return QString("%1 / %2").arg(value->median, 0, 'f', 1).arg(value->p95, 0, 'f', 1);
 }
@@ -213,7 +213,7 @@ void SessionsPanel::showState() {
   } else if (!session) {
     words_->setText(tr("reading the session"));
   } else {
-    const auto summary = workflow::summarise(session->kept);
+    const auto summary = report::summarise(session->kept);
     QStringList words{summary.has_ended ? tr("ended normally") : tr("not ended: it runs, or it was cut off")};
     if (summary.is_at_home) words << tr("at home");
     if (summary.alignment) words << QString::fromStdString(*summary.alignment);

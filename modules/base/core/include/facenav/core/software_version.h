@@ -1,0 +1,12 @@
+#pragma once
+// FaceNav's version, as written into provenance.
+
+#include <string>
+
+namespace facenav {
+inline namespace core {
+
+std::string softwareVersion();
+
+}  // namespace core
+}  // namespace facenav

@@ -1,0 +1,15 @@
+#pragma once
+// Compares a measured face with the calibration of the cameras that measured it. Camera, mm.
+
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/stereo/face_cloud.h"
+
+namespace facenav::measured_face {
+
+/// Throws health::RigError if points of the face, matched again in the pictures it was `measured` on, show
+/// that the cameras moved. `plain`: the same face without dots.
+void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
+                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face);
+
+}  // namespace facenav::measured_face

@@ -1,0 +1,96 @@
+#include "facenav/measured_face/face_in_space.h"
+
+#include <numeric>
+
+#include "facenav/anatomy/face_norms.h"
+#include "facenav/anatomy/head_norms.h"
+#include "facenav/core/robust_statistics.h"
+
+namespace facenav::measured_face {
+namespace {
+
+constexpr double kEpipolarLimit_px = 6.0;  // two independent landmark fits agree to a few pixels
+
+using Triangulated = std::vector<std::optional<Eigen::Vector3d>>;
+
+Triangulated triangulateAll(const cameras::StereoRig& rig, const face::FaceLandmarks& left,
+                            const face::FaceLandmarks& right) {
+  Triangulated points(68);
+  for (int i = 0; i < 68; ++i) {
+    if (cameras::epipolarError_px(rig, left.points68[i], right.points68[i]) > kEpipolarLimit_px) continue;
+    const Eigen::Vector3d p = cameras::triangulate(rig, left.points68[i], right.points68[i]).mm;
+    if (p.allFinite() && p.z() > 100.0 && p.z() < 5000.0) points[i] = p;
+  }
+  return points;
+}
+
+std::optional<Eigen::Vector3d> mean(const Triangulated& points, int first, int last) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int n = 0;
+  for (int i = first; i <= last; ++i)
+    if (points[i]) sum += *points[i], ++n;
+  if (n == 0) return std::nullopt;
+  return sum / n;
+}
+
+void setStart(FaceInSpace& face, const Triangulated& points) {
+  const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
+  if (!right_eye || !left_eye) return;
+  const double eyes_mm = (*right_eye - *left_eye).norm();
+  if (!anatomy::kEyesInSpace.contains(eyes_mm)) return;  // at least one of the two is not this face
+  face.start.patient_right = Direction<Camera>(*right_eye - *left_eye);
+  if (mouth) {
+    const Eigen::Vector3d x = face.start.patient_right->v;
+    const Eigen::Vector3d up = 0.5 * (*right_eye + *left_eye) - *mouth;
+    face.start.patient_superior = Direction<Camera>(up - up.dot(x) * x);
+  }
+  if (points[30]) face.start.nose_tip = Point<Camera>(*points[30]);
+  const Eigen::Vector3d eyes = 0.5 * (*right_eye + *left_eye);
+  face.centre = Point<Camera>(mouth ? Eigen::Vector3d(0.6 * eyes + 0.4 * *mouth) : eyes);
+}
+
+stereo::FaceCloud select(const stereo::FaceCloud& cloud, const std::vector<std::size_t>& indices) {
+  stereo::FaceCloud out;
+  out.epipolar_median_px = cloud.epipolar_median_px;
+  for (const std::size_t i : indices) {
+    out.cloud.points_mm.push_back(cloud.cloud.points_mm[i]);
+    if (!cloud.cloud.normals.empty()) out.cloud.normals.push_back(cloud.cloud.normals[i]);
+    if (!cloud.left_px.empty()) out.left_px.push_back(cloud.left_px[i]);
+    if (!cloud.sigma_mm.empty()) out.sigma_mm.push_back(cloud.sigma_mm[i]);
+  }
+  return out;
+}
+
+/// Depth of the nearest surface with at least a tenth of the points.
+double nearestLargeDepth_mm(const PointCloud<Camera>& cloud) {
+  std::vector<double> depths;
+  depths.reserve(cloud.size());
+  for (const auto& p : cloud.points_mm) depths.push_back(p.z());
+  return selectRank(depths, depths.size() / 10);
+}
+
+}  // namespace
+
+FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
+                     const face::FaceDetector& detector) {
+  FaceInSpace face;
+  face.left = detector.detect(plain.left);
+  face.right = detector.detect(plain.right);
+  if (face.left && face.right && face.left->points68.size() == 68 && face.right->points68.size() == 68)
+    setStart(face, triangulateAll(rig, *face.left, *face.right));
+  return face;
+}
+
+stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& face) {
+  std::vector<std::size_t> kept;
+  const double nearest_mm = cloud.cloud.empty() ? 0.0 : nearestLargeDepth_mm(cloud.cloud);
+  for (std::size_t i = 0; i < cloud.cloud.size(); ++i) {
+    const Eigen::Vector3d& p = cloud.cloud.points_mm[i];
+    const bool is_face = face.centre ? (p - face.centre->mm).norm() < anatomy::kFaceReach_mm
+                                     : std::abs(p.z() - nearest_mm) < 0.75 * anatomy::kHeadDepth_mm;
+    if (is_face) kept.push_back(i);
+  }
+  return select(cloud, kept);
+}
+
+}  // namespace facenav::measured_face

@@ -1,0 +1,30 @@
+#include "facenav/measured_face/unmoved_cameras.h"
+
+#include "facenav/health/pair_diagnosis.h"
+#include "facenav/health/rig_error.h"
+#include "facenav/health/rig_monitor.h"
+#include "facenav/health/surface_matches.h"
+#include "facenav/measured_face/projected_dots.h"
+
+namespace facenav::measured_face {
+namespace {
+
+constexpr double kClearStatistic = 40;  // as in health::RigHealth: twice the monitor's own threshold
+
+}  // namespace
+
+void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
+                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face) {
+  health::RigMonitor monitor(rig);
+  monitor.add(health::matchSurface(rig, measured, face.cloud, face.left_px));
+  const auto estimate = monitor.estimate();
+  if (!estimate.hasMoved()) return;
+  const auto diagnosis = health::diagnosePair(rig, plain);
+  if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
+  // If plain skin disagrees a little but the whole plain pair fits, the cameras did not move.
+  const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});
+  if (diagnosis.state != health::RigState::holds || is_clear)
+    throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");
+}
+
+}  // namespace facenav::measured_face

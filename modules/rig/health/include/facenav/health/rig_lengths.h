@@ -1,0 +1,53 @@
+#pragma once
+// What one stereo pair of a board or a marker says about a rig.
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "facenav/cameras/chessboard.h"
+#include "facenav/cameras/rig_uncertainty.h"
+#include "facenav/health/observation.h"
+
+namespace facenav::health {
+
+/// The same corners of a board in both pictures.
+struct BoardPair {
+  std::vector<cv::Point2f> left_px, right_px;
+  std::vector<cv::Point3f> board_mm;
+  std::vector<int> ids;
+};
+/// Empty unless both pictures show at least 8 corners in common.
+std::optional<BoardPair> findBoardPair(const cv::Mat& left, const cv::Mat& right,
+                                       const cameras::Board& board);
+std::vector<Correspondence> correspondences(const BoardPair& pair);
+/// The largest square of squares whose corners are seen.
+std::optional<SquareObservation> squareOf(const BoardPair& pair, const cameras::Board& board,
+                                          const cameras::StereoRig& rig);
+
+BoardPair exchanged(BoardPair pair);
+SquareObservation exchanged(SquareObservation marker);
+/// Measured divided by true length; NaN where the pair cannot be measured.
+double lengthRatio(const BoardPair& pair, const cameras::StereoRig& rig);
+double lengthRatio(const SquareObservation& marker, const cameras::StereoRig& rig);
+/// Standard error of a ratio from the calibration alone.
+template <class Seen>
+double calibrationSigma(const Seen& seen, const cameras::StereoRig& rig) {
+  double squares = 0;
+  for (const auto& other : cameras::uncertaintyOf(rig).one_sigma)
+    squares += std::pow(lengthRatio(seen, other) - lengthRatio(seen, rig), 2);
+  return std::sqrt(squares);
+}
+
+/// Pose of the board before one camera by that camera's picture alone, with the rms of the fit, px.
+struct SingleView {
+  Eigen::Isometry3d camera_T_board = Eigen::Isometry3d::Identity();
+  double rms_px = 0;
+};
+/// Scale of the right picture of the board against what the left one and the rig predict, minus 1. A camera
+/// that turned leaves it 0; one whose focal length changed by 2 % shows 0.02.
+double scaleChange(const SingleView& left, const SingleView& right, const cameras::StereoRig& rig);
+SingleView fitBoard(const cameras::CameraModel& camera, const std::vector<cv::Point2f>& px,
+                    const std::vector<cv::Point3f>& board_mm);
+
+}  // namespace facenav::health

@@ -1,0 +1,66 @@
+#pragma once
+// RigMonitor: do the cameras still stand as they were calibrated? It needs no board. It gathers points that
+// both images show (skin, marker corners) and squares of known size. The cameras have moved where a motion of
+// the right camera explains these much better than the calibration's own uncertainty does.
+//
+// Points are gathered in cells of the image, so that ten thousand in one place do not count as independent: a
+// cell counts by its median. The cells have a Student's t likelihood, since a match on a silhouette or a
+// glint is wrong by pixels.
+//
+// What it detects: pitch and roll of one camera against the other, from epipolar residuals (some hundredths
+// of a degree). Yaw and a longer or shorter baseline move points along the epipolar lines: only the size of
+// squares shows them. A focal length that changed equally in both cameras shows in neither.
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "facenav/cameras/rig_uncertainty.h"
+#include "facenav/health/observation.h"
+#include "facenav/health/rig_state.h"
+
+namespace facenav::health {
+
+/// What the gathered points and squares say.
+struct RigEstimate {
+  RigState state = RigState::unclear;  // or holds, or moved
+  double statistic = 0;      // of the likelihood ratio; chi-square with 6 degrees of freedom if it holds
+  double contradiction = 0;  // median over the points of |residual| in its own sigmas; 0.67 if it holds
+  double epipolar_px = 0;    // rms over the cells, wrong matches left out
+  double displaced_mm = 0;   // rms error of points in space if the cameras moved as estimated
+  Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();  // estimated rotation of the right camera
+
+  bool hasMoved() const { return state == RigState::moved; }
+  /// With numbers: "the cameras have moved since their calibration (..): calibrate again".
+  RigVerdict verdict() const;
+};
+
+class RigMonitor {
+ public:
+  explicit RigMonitor(const cameras::StereoRig& rig) : RigMonitor(rig, cameras::uncertaintyOf(rig)) {}
+  RigMonitor(const cameras::StereoRig& rig, cameras::RigUncertainty uncertainty);
+
+  /// Adds the points of one frame. Takes some microseconds a point.
+  void add(const std::vector<Correspondence>& points);
+  void add(const SquareObservation& square);
+  /// Takes about a millisecond: call it for every 30th frame, not for each.
+  RigEstimate estimate() const;
+
+ private:
+  struct Cell {
+    Eigen::Vector2d left_px = Eigen::Vector2d::Zero(), right_px = Eigen::Vector2d::Zero();
+    std::vector<double> residuals_px, sigmas_px;
+    std::size_t next = 0;  // index of the oldest sample, once the memory is full
+  };
+  struct SizeCell {
+    SquareObservation square;
+    double error = 0, variance = 0, count = 0;
+  };
+  cameras::StereoRig rig_;
+  cameras::RigUncertainty uncertainty_;
+  std::map<std::array<int, 3>, Cell> cells_;  // column, row, depth
+  std::map<std::array<int, 3>, SizeCell> size_cells_;
+};
+
+}  // namespace facenav::health

@@ -1,0 +1,40 @@
+#pragma once
+// RigState and RigVerdict: the one vocabulary for "do the cameras stand as they were calibrated, and do they
+// expose together". Every check of a camera pair ends in it: matches of one pair, a board or a marker,
+// a face while it is tracked, a kept rig at its start.
+
+#include <string>
+
+namespace facenav::health {
+
+enum class RigState {
+  unclear,        // too little was seen
+  holds,          // the calibration fits
+  moved,          // one camera moved or turned against the other
+  other_cameras,  // the calibration is not of these cameras, or a focus or zoom was changed
+  swapped,        // left and right are exchanged
+  out_of_step,    // the two pictures are of different moments
+  away,           // a camera is unplugged or silent
+};
+
+/// One word, as in rig.json and in `facenav rig check --json`: "holds", "moved", "other_cameras", "swapped",
+/// "unclear", "out_of_step", "away".
+std::string toString(RigState state);
+/// The state of this word; unclear for any other word.
+RigState rigStateNamed(const std::string& word);
+/// Neither unclear nor holds.
+bool isFault(RigState state);
+/// The cameras' geometry is not the calibration's: moved, other cameras, swapped.
+bool isWrongGeometry(RigState state);
+
+/// What a check of a camera pair found, and what to do about it.
+struct RigVerdict {
+  RigState state = RigState::unclear;
+  std::string finding, advice;  // "the cameras have moved ..", "calibrate again"; either may be empty
+
+  bool isFault() const { return health::isFault(state); }
+  /// One line: "finding: advice".
+  std::string words() const { return advice.empty() ? finding : finding + ": " + advice; }
+};
+
+}  // namespace facenav::health

@@ -1,0 +1,18 @@
+#pragma once
+// Points of a measured surface, matched again in a pair of pictures: observations of the right camera's pose.
+
+#include <vector>
+
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/cameras/stereo_rig.h"
+#include "facenav/geometry/point.h"
+#include "facenav/health/observation.h"
+
+namespace facenav::health {
+
+/// `surface`: Camera, mm, with its pixels in the left image. At most `most` matches, spread over the surface.
+std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                                         const PointCloud<Camera>& surface,
+                                         const std::vector<Eigen::Vector2f>& left_px, std::size_t most = 600);
+
+}  // namespace facenav::health

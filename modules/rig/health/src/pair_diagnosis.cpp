@@ -1,0 +1,114 @@
+#include "facenav/health/pair_diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/health/pair_matches.h"
+#include "relative_pose.h"
+#include "skin_evenness.h"
+
+namespace facenav::health {
+namespace {
+
+constexpr std::size_t kFewestMatches = 25;
+// Standard error of one match: texture, noise, slant of skin and compression. On the boards' exact rigs the
+// residuals of a person's skin have a median of 0.18 to 0.35 px (median of |N(0, 0.3)|: 0.20).
+constexpr double kMatchSigma_px = 0.3;
+constexpr double kAgrees_px = 1.0;
+// Between that error and the effect of the smallest motion that differs from noise: 1 px of parallax.
+constexpr double kHolds_px = 0.5, kSwappedHolds_px = 1.0;
+constexpr double kExplainedShare = 0.7, kExplained_px = 0.4;
+constexpr double kExplainedCost = 3.8;  // per match: 1.9 of pure Student's t, twice that of skin
+constexpr PosePrior kKnock{0.02, 3.0};  // as in RigMonitor
+constexpr PosePrior kAnyRig{0.25, 60.0};
+constexpr double kKnockDoubt = 25.0;  // of cost: above this it is not a knock
+constexpr std::size_t kFewestOnSkin = 150;
+// Limit of the skin's shared residual, px. In 15 right pairs of one real person in front of three pairs of
+// cameras it is 0.40 (factor of one standard deviation: 1.17), with any assumed pose of the right camera. In
+// 60 pairs of two moments it is 1.05 (1.27). At this limit both are equally likely. Fitted with each moment
+// left out in turn, it takes none of the 15 right pairs for two moments, and 6 of 120 others for one (cameras
+// 40 degrees apart, small motions).
+constexpr double kTwoMoments_px = 0.60, kFarthest_px = 3.0;
+
+std::vector<RayPair> raysOf(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches,
+                            bool is_swapped) {
+  const double f_px = 0.5 * (rig.left.k(1, 1) + rig.right.k(1, 1));
+  std::vector<RayPair> rays;
+  for (const auto& match : matches)
+    rays.push_back({cameras::undistort(rig.left, is_swapped ? match.right_px : match.left_px),
+                    cameras::undistort(rig.right, is_swapped ? match.left_px : match.right_px),
+                    kMatchSigma_px / f_px});
+  return rays;
+}
+
+struct Fit {
+  double median_px = 0,
+         share = 0;  // of the distances from the epipolar lines; share of matches within kAgrees_px
+};
+
+Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
+  std::vector<double> off_px;
+  for (const auto& pair : rays) off_px.push_back(kMatchSigma_px * epipolarDistance(pose, pair));
+  std::sort(off_px.begin(), off_px.end());
+  const auto within = std::lower_bound(off_px.begin(), off_px.end(), kAgrees_px) - off_px.begin();
+  return {off_px[off_px.size() / 2], double(within) / double(off_px.size())};
+}
+
+}  // namespace
+
+PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
+  PairDiagnosis diagnosis;
+  diagnosis.matches = matches.size();
+  diagnosis.right_T_left = rig.right_T_left;
+  if (matches.size() < kFewestMatches) return diagnosis;
+  const Eigen::Isometry3d calibrated = rig.right_T_left.isometry();
+  const auto rays = raysOf(rig, matches, false);
+  const Fit as_is = fitOf(calibrated, rays);
+  diagnosis.residual_px = as_is.median_px;
+  diagnosis.agreement = diagnosis.calibrated_agreement = as_is.share;
+  if (as_is.median_px < kHolds_px && as_is.share > kExplainedShare) {
+    diagnosis.state = RigState::holds;
+    return diagnosis;
+  }
+  const Fit swapped = fitOf(calibrated, raysOf(rig, matches, true));
+  if (swapped.median_px < kSwappedHolds_px && swapped.share > as_is.share) {
+    diagnosis.state = RigState::swapped;
+    diagnosis.agreement = swapped.share;
+    return diagnosis;
+  }
+  const RelativePose best = refinePose(calibrated, rays, &kAnyRig),
+                     knocked = refinePose(calibrated, rays, &kKnock);
+  const Fit explained = fitOf(best.right_T_left, rays);
+  diagnosis.agreement = explained.share;
+  diagnosis.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(best.right_T_left);
+  const bool is_explained = explained.share > kExplainedShare && explained.median_px < kExplained_px &&
+                            best.cost < kExplainedCost * double(rays.size());
+  if (!is_explained)
+    diagnosis.state = RigState::out_of_step;
+  else
+    diagnosis.state = knocked.cost - best.cost < kKnockDoubt ? RigState::moved : RigState::other_cameras;
+  return diagnosis;
+}
+
+PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
+                       const std::vector<Correspondence>& skin) {
+  if (!diagnosis.isOfCameras() || skin.size() < kFewestOnSkin) return diagnosis;
+  const auto rays = raysOf(rig, skin, false);
+  const RelativePose best = refinePose(diagnosis.right_T_left.isometry(), rays, &kAnyRig);
+  std::vector<Eigen::Vector2d> left_px;
+  for (const auto& match : skin) left_px.push_back(match.left_px);
+  diagnosis.skin_px =
+      kMatchSigma_px * sharedResidual(best.right_T_left, rays, left_px, kFarthest_px / kMatchSigma_px);
+  if (diagnosis.skin_px > kTwoMoments_px) diagnosis.state = RigState::out_of_step;
+  return diagnosis;
+}
+
+PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame) {
+  if (frame.left.empty() || frame.right.empty()) return {};
+  const auto matches = matchPictures(frame.left, frame.right);
+  const auto diagnosis = diagnoseMatches(rig, matches);
+  if (!diagnosis.isOfCameras()) return diagnosis;
+  return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
+}
+
+}  // namespace facenav::health

@@ -1,0 +1,44 @@
+#pragma once
+// The numbers of a pulse by which pulses can be coloured, sorted and plotted: name, unit, decimals and value
+// of each. The names are the columns of pulses.csv.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "facenav/casefile/pulse.h"
+
+namespace facenav::report {
+
+enum class PulseColumn {
+  distance,
+  lateral,
+  depth,
+  tilt,
+  twist,
+  gap,
+  predicted_error,
+  intensity,
+  field,
+  mep,
+  latency,
+  time,
+};
+
+struct PulseColumnWords {
+  PulseColumn column;
+  const char* key;   // in pulses.csv
+  const char* name;  // English
+  const char* unit;
+  int decimals;
+};
+
+/// In the order of the enumeration.
+const std::array<PulseColumnWords, 12>& pulseColumns();
+const PulseColumnWords& wordsOf(PulseColumn column);
+/// Nothing where it is not known. Twist and depth keep their sign.
+std::optional<double> valueOf(const casefile::Pulse& pulse, PulseColumn column);
+/// "2.4"; empty where it is not known.
+std::string valueText(const casefile::Pulse& pulse, PulseColumn column);
+
+}  // namespace facenav::report

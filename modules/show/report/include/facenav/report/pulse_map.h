@@ -1,0 +1,22 @@
+#pragma once
+// Where the pulses of a session went on a surface of the brain, and the map of their MEPs.
+
+#include <optional>
+#include <vector>
+
+#include "facenav/casefile/session_pulses.h"
+#include "facenav/guidance/mep_map.h"
+
+namespace facenav::report {
+
+/// One per pulse: where the coil's axis meets the surface; nothing without a pose, or where it misses. Takes
+/// about a millisecond a pulse for the brain model.
+std::vector<std::optional<Point<Mri>>> placesOn(const surface::TriangleMesh& surface,
+                                                const std::vector<casefile::ReviewedPulse>& pulses);
+
+/// Of the pulses that are not excluded and have a place and an MEP. `places`: as of placesOn.
+std::optional<guidance::MepMap> mepMapOf(const surface::TriangleMesh& surface,
+                                         const std::vector<casefile::ReviewedPulse>& pulses,
+                                         const std::vector<std::optional<Point<Mri>>>& places);
+
+}  // namespace facenav::report

@@ -1,0 +1,29 @@
+#pragma once
+// What is entered about a session by hand, while it runs or afterwards: pain before and after, adverse
+// events, pauses. The names are those of the session's events; the report prints their details as they are.
+
+#include <optional>
+#include <string>
+
+namespace facenav::report {
+
+namespace session_events {
+constexpr const char* kPause = "pause";
+constexpr const char* kResume = "resume";
+constexpr const char* kPainBefore = "pain before";
+constexpr const char* kPainAfter = "pain after";
+constexpr const char* kAdverse = "adverse event";
+constexpr const char* kThreshold = "threshold";
+constexpr const char* kSource = "pulse source";
+constexpr const char* kOperator = "operator";
+constexpr const char* kMuscle = "muscle";
+constexpr const char* kStimulator = "stimulator";
+constexpr const char* kTip = "tip check";  // of the alignment, by a person
+}  // namespace session_events
+
+/// 0 (none) to 10 (the worst imaginable), as the event's detail: "6", "3.5". Throws Error outside.
+std::string painWords(double pain);
+/// Trimmed, one line. Throws Error where nothing is left: `what` names it.
+std::string noteWords(const std::string& words, const std::string& what);
+
+}  // namespace facenav::report

@@ -1,0 +1,52 @@
+#pragma once
+// The report of a session for the chart, to read and to print. Its fields are those of the TMSMultiLab
+// session sheet v4.1 with navigation added; what no file of the session holds reads "not recorded". It names
+// the case by its id. Written as one HTML page without script or other files; ui/report_pdf.h prints the same
+// content.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/rgb_image.h"
+#include "facenav/report/chart.h"
+
+namespace facenav::report {
+
+struct ReportPicture {
+  std::string caption;
+  RgbImage image;
+};
+
+struct ReportOptions {
+  bool has_name = false;                     // adds the case's label, which may be the patient's name
+  std::vector<ReportPicture> pictures = {};  // as of pulse_pictures.h
+};
+
+struct SessionReport {
+  struct Figure {
+    std::optional<Chart> chart;  // else: a picture
+    RgbImage picture;
+  };
+  std::string title, subtitle;
+  std::string body;  // HTML; figure N stands there as <img src="figure:N">
+  std::vector<Figure> figures;
+};
+
+/// Throws Error where the case cannot be read.
+SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                                const ReportOptions& options = {});
+/// The page's text, with all figures in it.
+std::string toHtml(const SessionReport& report);
+/// Both steps.
+std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
+                          const ReportOptions& options = {});
+
+/// Writes report.html (0600, whole) into the session's folder. Throws Error.
+void writeSessionReport(const std::filesystem::path& case_folder,
+                        const std::filesystem::path& session_folder);
+
+}  // namespace facenav::report

@@ -1,0 +1,85 @@
+#include "report_html.h"
+
+namespace facenav::report {
+namespace {
+
+constexpr const char* kStyle =
+    "@page{size:A4;margin:14mm}"
+    "body{font:14px/1.45 sans-serif;max-width:1080px;margin:1.5em auto;padding:0 1em;color:#1d2430;"
+    "background:#fff}"
+    "h1{margin:0}p.subtitle{color:#445;margin:.2em 0 1em}"
+    "h2{border-bottom:2px solid #0072b2;padding-bottom:.15em;margin:1.4em 0 .4em;break-after:avoid}"
+    "table{border-collapse:collapse;margin:.4em 0}"
+    "th,td{padding:.2em .8em .2em 0;border-bottom:1px solid #ccd;text-align:left;vertical-align:top}"
+    "th{background:#eef3f8}table.facts td:first-child{color:#445;min-width:17em}"
+    "tr,svg,img{break-inside:avoid}svg,img{margin:.4em .6em .4em 0}img{max-width:100%}"
+    "@media print{body{font-size:11px;margin:0;padding:0}}";
+
+/// RFC 4648.
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = bytes.size() - i;
+    const unsigned group = unsigned(bytes[i]) << 16 | (left > 1 ? unsigned(bytes[i + 1]) << 8 : 0u) |
+                           (left > 2 ? unsigned(bytes[i + 2]) : 0u);
+    for (std::size_t d = 0; d < 4; ++d) text += d <= left ? kDigits[(group >> (18 - 6 * d)) & 63u] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string escapedHtml(const std::string& words) {
+  std::string escaped;
+  for (const char c : words) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string factsHtml(const std::vector<TableRow>& rows) {
+  std::string html = "<table class=\"facts\">\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (const auto& cell : row) html += "<td>" + escapedHtml(cell) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string tableHtml(const TableRow& columns, const std::vector<TableRow>& rows) {
+  std::string html = "<table>\n<tr>";
+  for (const auto& column : columns) html += "<th>" + escapedHtml(column) + "</th>";
+  html += "</tr>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (const auto& cell : row) html += "<td>" + escapedHtml(cell) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string headingHtml(const std::string& words) { return "<h2>" + escapedHtml(words) + "</h2>\n"; }
+std::string paragraphHtml(const std::string& words) { return "<p>" + escapedHtml(words) + "</p>\n"; }
+
+std::string pictureHtml(const std::vector<std::uint8_t>& png) {
+  return "<img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\">\n";
+}
+
+std::string pageHtml(const std::string& title, const std::string& subtitle, const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escapedHtml(title) +
+         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escapedHtml(title) +
+         "</h1><p class=\"subtitle\">" + escapedHtml(subtitle) + "</p>\n" + body + "</body></html>\n";
+}
+
+}  // namespace facenav::report

@@ -1,0 +1,24 @@
+#pragma once
+// What a recording's film shows in its first seconds: the face while the head turns to both sides, and the
+// coil's marker at rest.
+
+#include <utility>
+#include <vector>
+
+#include "facenav/capture/recording.h"
+#include "facenav/align/known_lengths.h"
+
+namespace facenav::steps {
+
+/// Frame numbers, first and last (both included).
+std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording);
+
+/// The coil's marker while it rests there; nothing without a film.
+std::optional<health::ScaleObservation> restingMarkerIn(const capture::Recording& recording,
+                                          const coil_tracking::CoilModel& coil,
+                                          coil_tracking::CoilTracker& tracker);
+
+/// The coil that the first of these folders with a coil.json names; else the one of the default marker.
+coil_tracking::CoilModel coilNamedIn(const std::vector<std::filesystem::path>& folders);
+
+}  // namespace facenav::steps

@@ -1,0 +1,295 @@
+#include "facenav/align/align_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "facenav/align/face_model.h"
+#include "facenav/align/film_beginning.h"
+#include "facenav/align/known_lengths.h"
+#include "facenav/align/stored_capture.h"
+#include "facenav/casefile/file_group.h"
+#include "facenav/casefile/skin_fit_file.h"
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/measured_face/projected_dots.h"
+#include "facenav/pictures/skin_fit_picture.h"
+#include "facenav/prepare/case_pictures.h"
+
+namespace facenav::steps {
+namespace {
+
+/// Pictures with less prior trust are used only where they promise this much less error.
+constexpr double kClearlyBetter = 0.85;
+// Bound (95 %) of an alignment without dots and without a marker: what counts as a wrong pose.
+constexpr double kMostUnknown_mm = 3.0;
+
+/// A way to align with the pictures that go with it into the case.
+struct Aligned {
+  AlignmentOutcome outcome;
+  capture::CapturePair pictures;
+};
+
+/// The capture has another picture for the dots, whether they are seen there or not.
+bool hasPattern(const capture::CapturePair& capture) {
+  const cv::Mat &dots = capture.pattern.left, &plain = capture.plain.left;
+  return !dots.empty() && (dots.size() != plain.size() || cv::norm(dots, plain, cv::NORM_INF) > 0);
+}
+
+/// Those that the recording has pictures for. With a projector that was off they are a plain pair.
+std::vector<measured_face::AlignedFrom> waysOf(const capture::Recording& recording) {
+  std::vector<measured_face::AlignedFrom> ways;
+  if (recording.capture && measured_face::showsDots(*recording.capture))
+    ways.push_back(measured_face::AlignedFrom::dots);
+  if (recording.capture) ways.push_back(measured_face::AlignedFrom::plain);
+  if (recording.frame_count > 1) ways.push_back(measured_face::AlignedFrom::film);
+  return ways;
+}
+
+std::string inWords(measured_face::AlignedFrom from) {
+  switch (from) {
+    case measured_face::AlignedFrom::dots:
+      return "the pair with dots";
+    case measured_face::AlignedFrom::plain:
+      return "the plain pair";
+    default:
+      return "the film";
+  }
+}
+
+void requirePictures(const capture::Recording& recording, measured_face::AlignedFrom from) {
+  const bool has_pair = recording.capture.has_value();
+  if (from == measured_face::AlignedFrom::film ? recording.frame_count > 1 : has_pair) return;
+  throw Error("not aligned: the recording has no " +
+                  std::string(from == measured_face::AlignedFrom::film ? "film" : "capture/ pair"),
+              recording.folder.string(), "choose another way (dots, plain, film), or record one");
+}
+
+Aligned align(const Registrations& methods, const capture::Recording& recording,
+              measured_face::AlignedFrom from, const AlignOrder& order, const AlignmentSetup& setup,
+              TaskMonitor& monitor) {
+  if (from != measured_face::AlignedFrom::film)
+    return {alignFromCapture(recording.rig, *recording.capture, from, setup, monitor), *recording.capture};
+  const auto& trackers = methods.head_trackers;
+  const auto tracker =
+      trackers.create(order.head_tracker.empty() ? trackers.defaultName() : order.head_tracker);
+  const auto film = capture::makeSource(recording);
+  const auto [first, last] = beginningOf(recording);
+  Aligned aligned{alignFromFilm(*film, first, last, *tracker, setup, monitor), {}};
+  aligned.pictures = {aligned.outcome.reference.frame, aligned.outcome.reference.frame};
+  return aligned;
+}
+
+/// The pair that the case was aligned with. Not one frame of a film: this recording's own film says more.
+std::optional<capture::CapturePair> storedPair(const casefile::CaseStore& store,
+                                               const capture::Recording& recording) {
+  const auto alignment = store.alignment();
+  if (alignment && alignment->from == measured_face::nameOf(measured_face::AlignedFrom::film))
+    return std::nullopt;
+  return readStoredCapture(store.folder(), recording.rig);
+}
+
+double worstBound_mm(const AlignmentOutcome& outcome) {
+  double worst = 0;
+  for (const auto& [ignored, bound_mm] : outcome.predicted_tre_p95_mm) worst = std::max(worst, bound_mm);
+  if (!outcome.predicted_tre_p95_mm.empty()) return worst;
+  return outcome.result.errorBound_mm(Point<Mri>(outcome.scalp->middle_mm()));
+}
+
+/// Nothing tells well enough that no camera turned sideways since the calibration.
+class UnknownTurn : public NotMeasured {
+ public:
+  using NotMeasured::NotMeasured;
+};
+
+void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recording& recording) {
+  const double bound_mm = worstBound_mm(outcome);
+  // An aligner that fits no turn does not use the marker either.
+  if (outcome.result.right_turn && (outcome.is_marker_seen || bound_mm <= kMostUnknown_mm)) return;
+  std::string words =
+      "not aligned: without dots the face alone does not show whether a camera has turned sideways since the "
+      "calibration";
+  if (outcome.result.right_turn)
+    words += formatted(": the coil could lie %.0f mm from where it is shown", bound_mm);
+  if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
+  if (isSizeUnknown(*outcome.skin)) throw UnknownTurn(words + "; " + kSizeUnknown);
+  words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
+  const bool was_projector_off =
+      recording.capture && hasPattern(*recording.capture) && !measured_face::showsDots(*recording.capture);
+  words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"
+                             : " (or with a projector's dots)";
+  throw UnknownTurn(words);
+}
+
+bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
+  return *other.predicted_mm < kClearlyBetter * *than.predicted_mm;
+}
+
+/// A caution where two ways see the head at one moment in two places, farther apart than both bounds.
+std::optional<std::string> contradiction(const CaseAlignment& alignment, const Point<Mri>& at) {
+  const AlignmentTry *dots = nullptr, *plain = nullptr;
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.camera_T_mri && tried.from != measured_face::AlignedFrom::film)
+      (tried.from == measured_face::AlignedFrom::dots ? dots : plain) = &tried;
+  if (!dots || !plain) return std::nullopt;
+  const double apart_mm = ((*dots->camera_T_mri * at).mm - (*plain->camera_T_mri * at).mm).norm();
+  if (apart_mm <= *dots->bound_mm + *plain->bound_mm) return std::nullopt;
+  return "with and without dots the head lies " + fixed(apart_mm, 1) +
+         " mm apart: check that it did not move in between, and take the pictures again";
+}
+
+std::string inWords(const AlignmentTry& tried) {
+  if (!tried.predicted_mm) return inWords(tried.from) + " was refused (" + tried.refusal + ")";
+  return inWords(tried.from) + " would give " + fixed(*tried.predicted_mm, 2) + " mm";
+}
+
+/// A case without an MRI has a stored face in its place.
+std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
+  if (store.hasMri()) return words;
+  for (const char* mri : {"this is the patient's own MRI", "this MRI", "the MRI", "this scan", "the scan"})
+    for (std::size_t at; (at = words.find(mri)) != std::string::npos;)
+      words.replace(at, std::string(mri).size(),
+                    std::string(mri).rfind("this is", 0) == 0 ? "this is the person whose face is stored"
+                                                              : "the stored face");
+  return words;
+}
+
+/// The ways tried so far.
+struct Attempts {
+  std::vector<AlignmentTry> tries;
+  bool hasDenseDots() const { return best_ && best_->outcome.has_dense_dots; }
+  void add(measured_face::AlignedFrom from, const casefile::CaseStore& store,
+           const std::function<Aligned()>& align);
+  /// Throws the error that says most where no way stands.
+  Aligned best(const casefile::CaseStore& store, const capture::Recording& recording);
+
+ private:
+  void take(Aligned aligned);
+  std::optional<Aligned> best_;
+  std::size_t used_ = 0;
+  std::optional<Error> error_;
+};
+
+void Attempts::take(Aligned aligned) {
+  AlignmentTry& now = tries.back();
+  now.predicted_mm = aligned.outcome.worstPredicted_mm(), now.bound_mm = worstBound_mm(aligned.outcome);
+  now.camera_T_mri = aligned.outcome.result.camera_T_mri;
+  if (best_ && !isBetter(now, tries[used_])) return;
+  used_ = tries.size() - 1;
+  best_ = std::move(aligned);
+}
+
+void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& store,
+                   const std::function<Aligned()>& align) {
+  tries.push_back({from, {}, {}, {}});
+  AlignmentTry& now = tries.back();
+  try {
+    take(align());
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const UnknownTurn& error) {  // it says what to do with or without a projector
+    error_ = error;
+    now.refusal = error.what();
+  } catch (const NotMeasured& error) {
+    if (!error_) error_ = error;
+    now.refusal = error.what();
+  } catch (const Error& error) {
+    const std::string words = inWordsOf(store, error.what());
+    if (!best_ && words != error.what()) throw Error(words);
+    // Another head, or moved cameras: no other pictures of them may be accepted instead.
+    if (!best_) throw;
+    now.refusal = error.what();
+  }
+}
+
+Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
+  if (best_) return std::move(*best_);
+  if (error_) throw Error(inWordsOf(store, error_->what()));
+  throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),
+              "record a still pair (facenav record --capture) or a film of the face");
+}
+
+}  // namespace
+
+void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
+                    const capture::CapturePair& capture, const AlignmentOutcome& outcome) {
+  casefile::FileGroup group(store.folder());
+  writeStoredCapture(group, rig, capture);
+  if (store.hasMri() && outcome.from != measured_face::AlignedFrom::dots)
+    keepFace(rig, outcome, group.staging());
+  casefile::writeSkinFit(outcome.result, outcome.face.cloud, group.staging() / "skin_fit.vtp");
+  writePrivatePng(pictures::drawSkinFit(capture.plain.left, outcome.face, outcome.result),
+                  group.staging() / "skin_fit.png");
+  casefile::writeAlignment(outcome.stored(), group.staging() / "alignment.json");
+  group.commit("alignment.json");
+}
+
+CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
+                             const capture::Recording& given, const AlignOrder& order, TaskMonitor& monitor) {
+  capture::Recording recording = given;
+  if (!recording.capture && order.stored_pair_stands_in) recording.capture = storedPair(store, recording);
+  const auto detector = methods.face_detector();
+  const auto aligner = methods.aligners.create(order.aligner);
+  const auto scalp = store.scalp();
+  const auto targets = store.targets().targets;
+  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;  // a program may have none
+  if (!methods.coil_trackers.entries().empty())
+    coil_tracker = methods.coil_trackers.create(methods.coil_trackers.defaultName());
+  AlignmentSetup setup{scalp,
+                       *aligner,
+                       *detector,
+                       targets,
+                       store.scalpField(),
+                       order.matcher,
+                       order.coil ? *order.coil : coilNamedIn({recording.folder, store.folder()}),
+                       coil_tracker.get()};
+  if (order.from) requirePictures(recording, *order.from);
+  Attempts attempts;
+  bool was_marker_sought = false;
+  for (const measured_face::AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
+    if (attempts.hasDenseDots() && (!order.tries_all || from == measured_face::AlignedFrom::film)) break;
+    const bool has_dots =
+        from == measured_face::AlignedFrom::dots && measured_face::showsDots(*recording.capture);
+    if (!has_dots && coil_tracker && !std::exchange(was_marker_sought, true))
+      setup.marker = restingMarkerIn(recording, setup.coil, *coil_tracker);
+    attempts.add(from, store, [&] {
+      Aligned aligned = align(methods, recording, from, order, setup, monitor);
+      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, recording);
+      return aligned;
+    });
+  }
+  Aligned best = attempts.best(store, recording);
+  CaseAlignment result{std::move(best.outcome), std::move(attempts.tries)};
+  const Point<Mri> at =
+      targets.empty() ? Point<Mri>(result.outcome.scalp->middle_mm()) : targets.front().cortex_point;
+  if (result.outcome.from != measured_face::AlignedFrom::dots && !result.outcome.is_marker_seen &&
+      !result.outcome.result.right_turn)
+    result.outcome.result.cautions.push_back(kWithoutDotsCaution);
+  if (const auto words = contradiction(result, at)) result.outcome.result.cautions.push_back(*words);
+  storeAlignment(store, recording.rig, best.pictures, result.outcome);
+  return result;
+}
+
+AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
+                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
+                           const std::string& aligner, TaskMonitor& monitor) {
+  capture::Recording recording;
+  recording.rig = rig;
+  recording.capture = capture;
+  AlignOrder order{aligner};
+  order.may_be_unsure = true;
+  return alignRecording(methods, store, recording, order, monitor).outcome;
+}
+
+std::string inWords(const CaseAlignment& alignment) {
+  std::string words;
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.from == alignment.outcome.from)
+      words = "used " + inWords(tried.from) + ": " + fixed(*tried.predicted_mm, 2) + " mm predicted";
+  for (const AlignmentTry& tried : alignment.tries)
+    if (tried.from != alignment.outcome.from) words += "; " + inWords(tried);
+  return words;
+}
+
+}  // namespace facenav::steps

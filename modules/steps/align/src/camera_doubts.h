@@ -1,0 +1,27 @@
+#pragma once
+// Why an alignment failed, or must not stand: cameras that moved, a pair that is no pair, a projector that
+// was off. Camera frame, mm.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "facenav/capture/recording.h"
+#include "facenav/core/error.h"
+#include "facenav/stereo/face_cloud.h"
+#include "facenav/align/align_from_capture.h"
+
+namespace facenav::steps {
+
+/// Runs `task` and returns its error if another way may help. Errors that no other way avoids are rethrown: a
+/// fault of the cameras, and the user's stop.
+std::optional<Error> errorOf(const std::function<void()>& task);
+
+/// The aligner and the measurement know only that nothing fits. This checks the cameras first, then the dots
+/// (where `from` needs them); if all are in order, it throws the original error, as NotMeasured where the
+/// face was not even measured.
+[[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
+                                  measured_face::AlignedFrom from, const Error& error, bool is_measured,
+                                  const std::string& matcher);
+
+}  // namespace facenav::steps

@@ -1,0 +1,34 @@
+#include "facenav/align/film_beginning.h"
+
+#include <cmath>
+
+namespace facenav::steps {
+namespace {
+
+/// The head turns to both sides in this time; later frames add little.
+constexpr double kFilm_s = 2.0;
+
+}  // namespace
+
+std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
+  const auto frame = capture::makeSource(recording)->next();
+  const std::int64_t first = frame ? frame->number : 0;
+  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
+}
+
+std::optional<health::ScaleObservation> restingMarkerIn(const capture::Recording& recording,
+                                                        const coil_tracking::CoilModel& coil,
+                                                        coil_tracking::CoilTracker& tracker) {
+  if (recording.frame_count < 2) return std::nullopt;
+  const auto [first, last] = beginningOf(recording);
+  return markerLengthIn(*capture::makeSource(recording), first, last, coil, tracker);
+}
+
+coil_tracking::CoilModel coilNamedIn(const std::vector<std::filesystem::path>& folders) {
+  for (const auto& folder : folders)
+    if (!folder.empty() && std::filesystem::exists(folder / "coil.json"))
+      return coil_tracking::readCoil(folder / "coil.json");
+  return coil_tracking::defaultCoil();
+}
+
+}  // namespace facenav::steps

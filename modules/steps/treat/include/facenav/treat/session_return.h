@@ -1,0 +1,42 @@
+#pragma once
+// RETURN: a session of the case that a person may go on with, after a crash, a power cut or a closed window.
+// It comes back with every pulse in its file; the case's own alignment is used again, and guidance is
+// withheld until a check of the registration passes (monitoring/registration_check.h).
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "facenav/casefile/session_so_far.h"
+#include "facenav/core/setting.h"
+
+namespace facenav::steps {
+
+struct ReturnRules {
+  static constexpr const char* kModule = "workflow";
+  static constexpr const char* kSubject = "going on with an interrupted session";
+
+  double offered_h = 12;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(kOffered("offered_h", 0, 168, "h", "an older session is not offered"), self.offered_h);
+  }
+
+  static constexpr Evidence kOffered{Origin::chosen,
+                                     "a treatment goes on on the same day, or is another session"};
+};
+
+/// The newest session, if it was cut off, or ended before the pulses of its plan were given; not one that
+/// still runs, nor one that is older than ReturnRules says. Files that cannot be read: nothing, and a
+/// warning.
+std::optional<casefile::SessionSoFar> interruptedSession(const std::filesystem::path& case_folder);
+/// The session of that name (empty: the newest), however old. Throws Error: none, or another program writes
+/// it.
+casefile::SessionSoFar sessionToGoOnWith(const std::filesystem::path& case_folder, const std::string& name);
+/// Pulses that the target's own dose, else the case's protocol, wants in a session; nothing: not stated.
+std::optional<int> plannedPulses(const std::filesystem::path& case_folder, const std::string& target);
+/// "session 20261123T140509Z: 83 of 200 pulses, cut off 2 min ago".
+std::string inWords(const casefile::SessionSoFar& session, std::optional<int> planned);
+
+}  // namespace facenav::steps

@@ -1,0 +1,179 @@
+#include "facenav/treat/treat_recording.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "facenav/align/align_case.h"
+#include "facenav/capture/swinging_source.h"
+#include "facenav/casefile/sign_off.h"
+#include "facenav/coil_library/coil_library.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
+#include "facenav/core/software_version.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/plan/expert_pose.h"
+#include "facenav/prepare/sign_off_gate.h"
+#include "facenav/treat/session_return.h"
+
+namespace facenav::steps {
+namespace {
+
+constexpr std::chrono::milliseconds kLook(5);  // at the newest state; frames come 16 ms apart or more
+
+/// Of live cameras: their rig alone.
+TreatmentFilm filmOf(const TreatRecordingRequest& request) {
+  if (!request.live) return openTreatmentFilm(request.recording);
+  TreatmentFilm film{{}, coil_tracking::defaultCoil(), {}};
+  film.recording.rig = request.live->rig;
+  film.card.name = film.coil.name;
+  return film;
+}
+
+/// Live, the pictures of the case's alignment are used as they were then.
+AlignOrder orderOf(const casefile::CaseStore& store, const TreatRecordingRequest& request) {
+  AlignOrder order{request.aligner};
+  order.stored_pair_stands_in = true;
+  if (request.coil_file) order.coil = coil_tracking::readCoil(*request.coil_file);
+  if (!request.live) return order;
+  const auto alignment = store.alignment();
+  if (!alignment)
+    throw Error("the case is not aligned", store.folder().string(),
+                "take its pictures first: facenav align CASE --live RIG");
+  if (alignment->from) order.from = measured_face::alignedFrom(*alignment->from);
+  if (order.from == measured_face::AlignedFrom::film)
+    throw Error("the case was aligned from a film, which live cameras do not go on from",
+                store.folder().string(), "align it with a pair: facenav align CASE --live RIG");
+  return order;
+}
+
+TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingRequest& request,
+                             TaskMonitor& monitor) {
+  const auto store = casefile::CaseStore::open(request.case_folder);
+  if (request.override)
+    casefile::recordOverride(store, request.override->by, request.override->reason, softwareVersion());
+  requireSignOff(store, request.override.has_value());
+  auto film = filmOf(request);
+  std::filesystem::path goes_on;
+  if (request.goes_on) {  // the face as it was at the alignment of that session, not as it is now
+    goes_on = sessionToGoOnWith(request.case_folder, request.session).folder;
+    film.recording.capture.reset();
+  }
+  if (request.coil_file) {
+    film.coil = coil_tracking::readCoil(*request.coil_file);
+    film.card = coil_tracking::readCoilCard(*request.coil_file);
+  }
+  const auto reminder = coil_library::calibrationReminder(film.card);
+  if (reminder) logWarning(*reminder);
+  const auto focus = coil_library::focusCaution(film.card);
+  if (focus) logWarning(*focus);
+  const auto alignment = std::make_shared<AlignmentOutcome>(
+      alignRecording(methods, store, film.recording, orderOf(store, request), monitor).outcome);
+  TreatmentRequest treatment{store, film.recording, request.live.has_value(), film.coil, alignment, reminder};
+  treatment.is_checked_first = request.live.has_value();
+  if (request.live) treatment.keepLearnt = request.live->keepLearnt;
+  treatment.override = request.override;
+  treatment.focus_caution = focus;
+  treatment.goes_on = goes_on;
+  treatment.speed = request.speed;
+  return treatment;
+}
+
+TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
+                           const capture::Recording& recording) {
+  return {
+      [&methods, request](const session::NavigatorSetup& setup) {
+        return std::make_unique<session::Navigator>(setup, methods.head_trackers.create(request.head_tracker),
+                                                    methods.coil_trackers.create(request.coil_tracker));
+      },
+      [recording, passes = request.passes, live = request.live] {
+        if (live) return live->open();
+        return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
+      }};
+}
+
+/// Of a session that goes on, the target that it had.
+std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment, std::string name) {
+  const auto plan = treatment.store.targets();
+  if (name.empty() && !treatment.goes_on.empty()) name = casefile::sessionSoFar(treatment.goes_on).target;
+  if (name.empty() && plan.targets.empty()) return std::nullopt;
+  return chosenTarget(name.empty() ? plan.targets.front() : plan.find(name), treatment.alignment.get());
+}
+
+/// Of the whole session; less than 0: it has no end.
+double doneOf(const Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
+              std::int64_t last) {
+  if (request.live && request.live->seconds <= 0) return -1;
+  if (request.live) return treatment.session().elapsed_s() / request.live->seconds;
+  return double(last + 1) / (double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes));
+}
+
+/// Until the end of the recording or of the live time; the time that each frame took.
+std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
+                           TaskMonitor& monitor) {
+  std::vector<double> processing_ms;
+  std::int64_t last = -1;
+  while (!treatment.session().hasEnded()) {
+    const auto state = treatment.session().latest();
+    if (state->frame > last) {
+      last = state->frame;
+      processing_ms.push_back(state->processing_ms);
+    }
+    if (request.look && !request.look(treatment)) break;
+    const double done = doneOf(treatment, request, frames, last);
+    if (request.live && done >= 1) break;
+    try {
+      monitor.report(inWords(treatment, *state), std::min(1.0, done));
+    } catch (const Cancelled&) {  // the session ends as it should, with all that was logged
+      break;
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  return processing_ms;
+}
+
+}  // namespace
+
+std::string inWords(const Treatment& treatment, const session::NavigationState& state) {
+  const auto& guided = state.guidance;
+  std::string words = session::lossInWords(state);
+  if (words.empty() && guided.values)
+    words = formatted("%s, %.1f mm, %.0f deg off",
+                      guided.state == guidance::State::on_target ? "on target" : "adjust",
+                      guided.values->distance_mm, guided.values->tilt_rad * kDegPerRad);
+  if (words.empty()) words = "head and coil tracked";
+  const auto counts = treatment.log().counts();
+  return words + formatted("; %d pulses", counts.on_target + counts.outside + counts.lost);
+}
+
+TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRecordingRequest& request,
+                                     TaskMonitor& monitor) {
+  std::vector<std::unique_ptr<links::PulseSource>> sources;  // wrong words first, before anything takes time
+  for (const auto& words : request.sources) sources.push_back(links::openPulseSource(words));
+  const auto wanted = treatmentOf(methods, request, monitor);
+  const auto target = targetOf(wanted, request.target);
+  if (target)
+    if (const auto caution = otherCoilCaution(target->target, wanted.coil.name)) logWarning(*caution);
+  Treatment treatment(prepareTreatment(wanted, devicesOf(methods, request, wanted.recording)), target);
+  treatment.setIntensity(request.intensity_pct);
+  for (auto& source : sources) treatment.listen(std::move(source));
+  TreatRecordingOutcome outcome;
+  const auto processing_ms = follow(treatment, request, wanted.recording.frame_count, monitor);
+  while (treatment.log().pulsesWaiting() > 0 && treatment.log().failure().empty())
+    std::this_thread::sleep_for(kLook);
+  if (request.look) request.look(treatment);  // the last pulses
+  outcome.session = treatment.log().folder();
+  outcome.pulses = treatment.log().counts();
+  outcome.frames = int(processing_ms.size());
+  if (!processing_ms.empty()) {
+    outcome.processing_ms_median = median(processing_ms);
+    outcome.processing_ms_p99 = valueAtRank(processing_ms, std::size_t(0.99 * double(processing_ms.size())));
+  }
+  outcome.failure = treatment.session().latest()->failure;
+  treatment.end();
+  treatment.keepReport();
+  return outcome;
+}
+
+}  // namespace facenav::steps

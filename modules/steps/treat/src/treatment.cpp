@@ -1,0 +1,293 @@
+#include "facenav/treat/treatment.h"
+
+#include "facenav/capture/returning_cameras.h"
+#include "facenav/casefile/case_coil.h"
+#include "facenav/casefile/face_looks.h"
+#include "facenav/casefile/session_so_far.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/settings_in_force.h"
+#include "facenav/core/without_folders.h"
+#include "facenav/plan/expert_pose.h"
+#include "facenav/prepare/sign_off_gate.h"
+#include "facenav/report/session_report.h"
+
+namespace facenav::steps {
+namespace {
+
+/// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
+std::vector<casefile::StoredKeyFrame> storedKeyFrames(const std::filesystem::path& case_folder) {
+  try {
+    return casefile::readKeyFrames(case_folder);
+  } catch (const Error& error) {
+    logWarning(error.what());
+    return {};
+  }
+}
+
+void keepKeyFrames(const session::Session& session, const std::filesystem::path& case_folder) {
+  try {
+    casefile::addKeyFrames(case_folder, session.learntKeyFrames());
+  } catch (const std::exception& error) {  // no caller to report to
+    logWarning(std::string("the looks of the face were not kept: ") + error.what());
+  }
+}
+
+/// Nothing without one, or where it cannot be read: the session then counts without a goal, and that is
+/// logged.
+std::optional<casefile::Protocol> protocolFor(const std::filesystem::path& case_folder,
+                                              session::TreatmentLog& log) {
+  try {
+    auto protocol = casefile::protocolOf(case_folder);
+    if (protocol)
+      log.addEvent("protocol", protocol->name + formatted(", version %d: %d pulses", protocol->version,
+                                                          protocol->dose.pulses));
+    return protocol;
+  } catch (const Error& error) {
+    log.addEvent("protocol", "cannot be read, no goal: " + withoutFolders(error.what()));
+    return std::nullopt;
+  }
+}
+
+void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const guidance::Target* target) {
+  if (const auto& given = request.override) log.addEvent("override", given->by + ": " + given->reason);
+  log.addEvent("target", target ? target->name : "");
+  log.addEvent("coil", request.coil.name);
+  if (request.coil_reminder) log.addEvent("coil calibration", *request.coil_reminder);
+  if (request.focus_caution) log.addEvent("coil focus", *request.focus_caution);
+  log.addEvent("alignment", alignmentWords(*request.alignment, target));
+}
+
+}  // namespace
+
+TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder) {
+  TreatmentFilm film{capture::openRecording(folder), coil_tracking::defaultCoil(), {}};
+  film.card.name = film.coil.name;
+  const auto coil_file = folder / "coil.json";
+  if (!std::filesystem::exists(coil_file)) return film;
+  film.coil = coil_tracking::readCoil(coil_file);
+  film.card = coil_tracking::readCoilCard(coil_file);
+  return film;
+}
+
+PreparedTreatment prepareTreatment(const TreatmentRequest& request, const TreatmentDevices& devices) {
+  FACENAV_EXPECT(request.alignment != nullptr, "a treatment needs an alignment");
+  requireSignOff(request.store, request.override.has_value());
+  session::NavigatorSetup setup;
+  setup.rig = request.recording.rig;
+  setup.reference = request.alignment->reference;
+  setup.camera_T_mri_at_reference = request.alignment->result.camera_T_mri;
+  setup.coil = request.coil;
+  setup.scalp = request.alignment->scalp;
+  setup.pace = head_tracking::Pace::live;
+  setup.key_frames = storedKeyFrames(request.store.folder());
+  setup.plate = casefile::coilOf(request.store.folder()).plate;
+  PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
+  prepared.source =
+      request.is_live ? capture::makeReturningCameras(devices.openSource) : devices.openSource();
+  return prepared;
+}
+
+std::shared_ptr<PreparedTreatment> prepareTreatment(
+    const TreatmentRequest& request,
+    const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
+    CameraTurnover& cameras) {
+  // Shared, because cameras that come back are opened again by a copy of the function.
+  const auto preview = std::make_shared<std::shared_ptr<const void>>(std::move(cameras.preview));
+  const TreatmentDevices devices{
+      makeNavigator, [preview, open = cameras.open, is_live = request.is_live, film = request.recording] {
+        preview->reset();  // first: a camera can be opened only once
+        return is_live ? open() : capture::makeSource(film);
+      }};
+  return std::make_shared<PreparedTreatment>(prepareTreatment(request, devices));
+}
+
+std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
+  std::string words =
+      formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
+  if (target) words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) + target->name;
+  return words;
+}
+
+session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment) {
+  return {target, alignment ? alignment->predictedError_mm(target) : 0.0};
+}
+
+Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
+    : case_folder_(prepared.request.store.folder()),
+      rig_(prepared.request.recording.rig),
+      coil_(prepared.request.coil),
+      keepLearnt_(prepared.request.keepLearnt),
+      alignment_(prepared.request.alignment) {
+  prepared.navigator->setTarget(target);
+  session::SessionOptions options;
+  options.is_paced = !prepared.request.is_live;
+  options.speed = prepared.request.speed;
+  session_ =
+      std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
+  const auto& goes_on = prepared.request.goes_on;
+  if (!goes_on.empty()) is_paused_ = casefile::sessionSoFar(goes_on).is_paused;
+  log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
+                                                 session::TreatmentLogOptions{rig_, goes_on});
+  if (!goes_on.empty() || prepared.request.is_checked_first) session_->checkRegistration(true);
+  session_folder_ = log_->folder();
+  logStart(*log_, prepared.request, target ? &target->target : nullptr);
+  protocol_ = protocolFor(case_folder_, *log_);
+  plan(target ? &target->target : nullptr);
+  if (target) target_ = target->target;
+  noteOtherCoil();
+  keyboard_.start(listenerFor(keyboard_.name()));
+  session_->start();
+}
+
+links::PulseListener Treatment::listenerFor(const std::string& source) {
+  session::TreatmentLog* log = log_.get();
+  return {[this, log](links::PulseTrigger trigger) {
+            const double set_pct = intensity_pct_;
+            if (!trigger.intensity_pct && set_pct >= 0) trigger.intensity_pct = set_pct;
+            log->addPulse(trigger);
+          },
+          [log, source](const std::string& words) {
+            log->addEvent(report::session_events::kSource,
+                          source + ": " + (words.empty() ? "works again" : words));
+          }};
+}
+
+void Treatment::listen(std::unique_ptr<links::PulseSource> source) {
+  source->start(listenerFor(source->name()));
+  log_->addEvent(report::session_events::kSource, source->name() + ": listening");
+  sources_.push_back(std::move(source));
+}
+
+std::optional<std::string> Treatment::tryToListen(const std::string& source) {
+  try {
+    listen(links::openPulseSource(source));
+    return std::nullopt;
+  } catch (const Error& error) {
+    log_->addEvent(report::session_events::kSource, withoutFolders(error.what()));
+    return error.what();
+  }
+}
+
+/// The target's own dose wins.
+void Treatment::plan(const guidance::Target* target) {
+  planned_pulses_.reset();
+  auto plan = protocol_;
+  if (target && target->dose) plan = casefile::Protocol{target->name, 1, *target->dose, {}, {}};
+  if (!plan) return;
+  planned_pulses_ = plan->dose.pulses;
+  try {  // the session's own copy: the report compares with what was planned then
+    casefile::writeProtocol(*plan, session_folder_ / "protocol.json", FileAccess::owner_only);
+  } catch (const Error& error) {
+    log_->addEvent("protocol", "its copy is not kept: " + withoutFolders(error.what()));
+  }
+}
+
+void Treatment::stopListening() {
+  for (const auto& source : sources_)
+    log_->addEvent(report::session_events::kSource, source->name() + ": no longer listened to");
+  sources_.clear();
+}
+
+void Treatment::setIntensity(std::optional<double> intensity_pct) {
+  intensity_pct_ = intensity_pct.value_or(-1);
+}
+
+void Treatment::pause(const std::string& reason) {
+  if (is_paused_) return;
+  is_paused_ = true;
+  log_->addEvent(report::session_events::kPause, reason);
+}
+
+void Treatment::resume() {
+  if (!is_paused_) return;
+  is_paused_ = false;
+  log_->addEvent(report::session_events::kResume);
+}
+
+Treatment::~Treatment() { end(); }
+
+void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name) {
+  session_->setTarget(target);
+  log_->addEvent("target", name);
+  plan(target ? &target->target : nullptr);
+  target_ = target ? std::optional(target->target) : std::nullopt;
+  noteOtherCoil();
+}
+
+void Treatment::chooseTargetNamed(const std::string& name) {
+  const auto target = casefile::CaseStore::open(case_folder_).targets().find(name);
+  chooseTarget(chosenTarget(target, alignment_.get()), name);
+}
+
+void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
+  if (coil.name == coil_.name) return;
+  if (coil_tracking::shareMarker(coil, coil_))
+    throw Error("the coil '" + coil.name + "' carries the same marker as '" + coil_.name + "' (" +
+                    coil_tracking::markerWords(coil.markers.front()) + "): a picture cannot tell them apart",
+                {}, "print another marker for one of them");
+  coil_ = coil;
+  session_->setCoil(coil);
+  log_->addEvent("coil", coil.name);
+  noteOtherCoil();
+}
+
+/// A pose is right only for the coil that it was found with.
+void Treatment::noteOtherCoil() {
+  if (!target_) return;
+  if (const auto caution = otherCoilCaution(*target_, coil_.name)) log_->addEvent("other coil", *caution);
+}
+
+void Treatment::checkRegistration() { session_->checkRegistration(); }
+
+void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading) {
+  log_->addEvent(report::session_events::kTip, inWords(verdict, reading));
+  if (verdict != TipVerdict::wrong) return;
+  session_->judgeAlignment(true);
+  try {  // no later session may start with it
+    casefile::setAlignmentAside(case_folder_);
+  } catch (const Error& error) {
+    logWarning(error.what());
+  }
+}
+
+std::shared_ptr<const guidance::TipCheck> Treatment::makeTipCheck() const {
+  return seeAlignment(casefile::CaseStore::open(case_folder_), *alignment_).check;
+}
+
+/// A check that could not measure enough is still asked for.
+bool Treatment::isCheckDue() {
+  const auto finding = session_->latest()->check;
+  if (finding && finding->number != last_check_) {
+    last_check_ = finding->number;
+    if (finding->measurements > 0) checked_ = Timestamp::now();
+  }
+  return Timestamp::now() - checked_ > 60 * settingsOf<monitoring::RegistrationCheckRules>().ask_after_min;
+}
+
+void Treatment::end() {
+  if (!session_) return;
+  keyboard_.stop();
+  sources_.clear();
+  const CamerasLearnt learnt = learntOf(*session_->latest(), rig_);
+  session_->stop();
+  try {  // the log and the cameras are let go, whatever the disk says
+    if (keepLearnt_ && !learnt.isEmpty()) keepLearnt_(learnt);
+  } catch (const std::exception& error) {
+    logWarning(std::string("what was learnt of the cameras was not kept: ") + error.what());
+  }
+  keepKeyFrames(*session_, case_folder_);
+  log_.reset();  // before the session: its thread reads it
+  session_.reset();
+}
+
+void Treatment::keepReport() const {
+  try {
+    report::writeSessionReport(case_folder_, session_folder_);
+  } catch (const std::exception& error) {  // no caller to report to
+    logWarning(std::string("the session's report was not written: ") + error.what());
+  }
+}
+
+}  // namespace facenav::steps

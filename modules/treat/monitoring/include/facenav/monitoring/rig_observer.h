@@ -1,0 +1,23 @@
+#pragma once
+// RigObserver: turns what the trackers measured in a frame into an observation of the cameras
+// (health/observation.h). Features of the face are matched again without use of the epipolar line.
+
+#include "facenav/cameras/stereo_frame.h"
+#include "facenav/coil_tracking/coil_tracker.h"
+#include "facenav/head_tracking/head_tracker.h"
+#include "facenav/health/observation.h"
+
+namespace facenav::monitoring {
+
+class RigObserver {
+ public:
+  /// Of each frame in turn.
+  health::RigObservation observe(const cameras::StereoFrame& frame,
+                                 const Tracked<head_tracking::HeadPose>& head,
+                                 const coil_tracking::CoilResult& coil);
+
+ private:
+  std::size_t frames_ = 0, next_feature_ = 0;
+};
+
+}  // namespace facenav::monitoring

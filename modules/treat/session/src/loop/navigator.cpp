@@ -1,0 +1,196 @@
+#include "facenav/session/navigator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "facenav/health/rig_error.h"
+#include "facenav/session/face_memory.h"
+
+namespace facenav::session {
+namespace {
+
+bool isUsable(const cameras::StereoFrame& frame, const cameras::StereoRig& rig) {
+  const auto fits = [&](const cv::Mat& image) {
+    return image.type() == CV_8UC1 && image.cols == rig.width_px && image.rows == rig.height_px;
+  };
+  return fits(frame.left) && fits(frame.right);
+}
+
+std::unique_ptr<monitoring::BesideCoilWatch> makeGapWatch(const NavigatorSetup& setup) {
+  const auto beside =
+      std::make_shared<const monitoring::SurfaceBesideCoil>(setup.rig, setup.scalp, setup.plate.outline_mm);
+  return std::make_unique<monitoring::BesideCoilWatch>(
+      [beside](const monitoring::BesideCoilWatch::Question& question) {
+        return beside->measure(*question.frame, question.camera_T_mri, question.camera_T_coil);
+      },
+      monitoring::BesideCoilWatch::Mode::own_thread);
+}
+
+}  // namespace
+
+std::optional<double> gapToSkin_mm(const RigidTransform<Mri, Coil>& mri_T_coil,
+                                   const registration::ScalpField& scalp) {
+  const float gap_mm = scalp.fine(mri_T_coil.translation_mm().cast<float>()).distance_mm;
+  if (!std::isfinite(gap_mm) || gap_mm >= registration::ScalpField::kFar_mm) return std::nullopt;
+  return gap_mm;
+}
+
+Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking::HeadTracker> head,
+                     std::unique_ptr<coil_tracking::CoilTracker> coil)
+    : rig_(setup.rig),
+      marker_T_coil_(setup.coil.marker_T_coil()),
+      coil_name_(setup.coil.name),
+      tolerance_(setup.tolerance),
+      trust_(setup.rig),
+      scalp_(setup.scalp),
+      head_(std::move(head)),
+      coil_(std::move(coil)) {
+  if (setup.camera_T_mri_at_reference)  // Head = Camera at the reference frame, by the tracker's contract
+    head_T_mri_ = setup.camera_T_mri_at_reference->reframe<Head, Mri>();
+  head_tracking::HeadReference reference = setup.reference;
+  if (head_T_mri_) reference.key_frames = asTracked(setup.key_frames, *head_T_mri_);
+  health::withRigError(rig_, reference.frame, [&] { head_->start(rig_, reference, setup.pace); });
+  coil_->start(rig_, setup.coil);
+  trust_.start(setup.reference);
+  if (setup.scalp && setup.camera_T_mri_at_reference && !setup.reference.surface.empty()) {
+    drift_check_ = std::make_shared<monitoring::DriftCheck>(rig_, setup.scalp, setup.reference,
+                                                            *setup.camera_T_mri_at_reference);
+    const auto measure = [check = drift_check_](const auto& frame, const auto& camera_T_mri) {
+      return check->measure(frame, camera_T_mri);
+    };
+    const auto mode = setup.pace == head_tracking::Pace::live ? monitoring::DriftWatchdog::Mode::own_thread
+                                                              : monitoring::DriftWatchdog::Mode::in_line;
+    trust_.setWatchdog(std::make_unique<monitoring::DriftWatchdog>(measure, mode));
+    trust_.setCheck(std::make_unique<monitoring::RegistrationCheck>(measure, mode));
+  }
+  if (setup.scalp && setup.pace == head_tracking::Pace::live) gap_watch_ = makeGapWatch(setup);
+}
+
+std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
+  // A wrong alignment would put the face at a wrong place of the MRI, also in later sessions.
+  if (!head_T_mri_ || trust_.isAlignmentInDoubt()) return {};
+  return asKept(head_->learntKeyFrames(), *head_T_mri_);
+}
+
+void Navigator::setTarget(std::optional<ChosenTarget> target) {
+  target_ = target ? std::make_shared<const ChosenTarget>(std::move(*target)) : nullptr;
+  previous_ = {};
+}
+
+void Navigator::setCoil(const coil_tracking::CoilModel& coil) {
+  coil_->start(rig_, coil);
+  marker_T_coil_ = coil.marker_T_coil();
+  coil_name_ = coil.name;
+  coil_deferred_ = {};
+  previous_ = {};
+}
+
+NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
+  FACENAV_EXPECT(frame != nullptr, "a frame is needed");
+  const Timestamp begin = Timestamp::now();
+  double watching_ms = 0.0;  // not part of tracking: in a live session it runs in parallel
+  NavigationState state;
+  state.frame = frame->number;
+  state.captured = frame->captured;
+  state.arrived = state.taken = begin;
+  state.is_aligned = head_T_mri_.has_value();
+  state.target = target_ ? target_->target.name : "";
+  state.coil_name = coil_name_;
+  state.chosen = target_;
+  state.tolerance = tolerance_;
+  if (isUsable(*frame, rig_)) {
+    // Who plugged a camera in again may have moved it.
+    if (std::exchange(was_away_, false)) checkRegistration(true);
+    watching_ms += track(*frame, state);
+    place(state);
+    const Timestamp tracked = Timestamp::now();
+    judge(frame, state);
+    measureGap(frame, state);
+    if (trust_.hasWatchdog()) watching_ms += (Timestamp::now() - tracked) * 1e3;
+    state.images = std::move(frame);
+    guide(state);
+    if (rigFault(state)) state = blanked(state, LostReason::camera);
+  } else {
+    state.withheld = monitoring::withheldByAbsence(*frame);
+    was_away_ = was_away_ || state.withheld;
+    state.images = std::move(frame);
+    state = blanked(state, LostReason::camera);
+  }
+  state.processing_ms = state.latency_ms = std::max(0.0, (Timestamp::now() - begin) * 1e3 - watching_ms);
+  return state;
+}
+
+/// Tracks head, then coil. Returns the time (ms) of work that a live session does in parallel with the
+/// frames.
+double Navigator::track(const cameras::StereoFrame& frame, NavigationState& state) {
+  const auto right_T_left = trust_.rig().right_T_left();
+  const auto head =
+      head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false), right_T_left});
+  const auto coil = coil_->track(
+      frame, {head.exposure_offset, head.work, right_T_left, trust_.rig().rightTurnSigma_rad()});
+  coil_deferred_ = coil.deferred;
+  state.head = head;
+  state.head_detail = head.loss_detail;
+  state.exposure_offset = head.exposure_offset;
+  state.row_times_s = coil.row_times_s;
+  state.coil = coil;
+  trust_.addCameras(frame, state.head, coil);
+  state.rig_correction = trust_.rig().correction();
+  if (drift_check_ && state.rig_correction) drift_check_->moveRight(trust_.rig().right_T_left());
+  return head.beside_ms;
+}
+
+void Navigator::place(NavigationState& state) const {
+  if (!state.head)
+    state.camera_T_mri = Lost{state.head.reason()};
+  else if (head_T_mri_)
+    state.camera_T_mri = {state.head->camera_T_head * *head_T_mri_, state.head.quality()};
+  if (state.coil)
+    state.camera_T_coil = {state.coil->camera_T_marker * marker_T_coil_, state.coil.quality()};
+  else
+    state.camera_T_coil = Lost{state.coil.reason()};
+}
+
+bool Navigator::checkRegistration(bool is_withheld_until) {
+  return trust_.checkRegistration(is_withheld_until);
+}
+
+/// Asks whether the poses may be shown. It is judged at the pose that is tracked, also while that is withheld.
+void Navigator::judge(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
+  trust_.addFace(frame, state.head, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
+  state.check = trust_.finding();
+  state.withheld = trust_.withheld(*frame);
+  if (trust_.hasNewAlarm()) is_learnt_in_doubt_ = true;
+  // A fault of the cameras blanks all of the state after guidance.
+  if (!state.withheld || state.withheld->isOfCameras()) return;
+  state.head = Lost{LostReason::high_residual};
+  state.camera_T_mri = Lost{LostReason::high_residual};
+}
+
+/// From the poses in each frame; from stereo about once a second, beside the frames.
+void Navigator::measureGap(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
+  const auto maybe = [](const auto& tracked) { return tracked ? std::optional(*tracked) : std::nullopt; };
+  const auto camera_T_mri = maybe(state.camera_T_mri);
+  const auto camera_T_coil = maybe(state.camera_T_coil);
+  if (gap_watch_) gap_watch_->add(frame, camera_T_mri, camera_T_coil);
+  if (!scalp_ || !camera_T_mri || !camera_T_coil) return;
+  state.gap.by_poses_mm = gapToSkin_mm(camera_T_mri->inverse() * *camera_T_coil, *scalp_);
+  // The predicted error is that of a point in space; the gap feels its part along the normal.
+  if (target_) state.gap.alignment_sigma_mm = target_->predicted_error_mm / std::sqrt(3.0);
+  if (!gap_watch_ || !gap_watch_->finding()) return;
+  const auto& finding = *gap_watch_->finding();
+  state.gap.unseen = finding.unseen;
+  if (finding.has_measured) state.gap.live = guidance::LiveSurface{finding.above_skin_mm, finding.sigma_mm};
+}
+
+void Navigator::guide(NavigationState& state) {
+  if (target_)
+    state.guidance = guidance::evaluate(target_->target, state.camera_T_mri, state.camera_T_coil, tolerance_,
+                                        target_->predicted_error_mm, previous_);
+  const std::string loss = lossInWords(state);
+  if (!loss.empty()) state.guidance.instruction = loss;
+  previous_ = state.guidance;
+}
+
+}  // namespace facenav::session

@@ -1,0 +1,139 @@
+#include "facenav/session/pulse_pose.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "facenav/core/utc_time.h"
+#include "facenav/core/number_text.h"
+#include "facenav/geometry/interpolate.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/guidance/handle.h"
+#include "facenav/session/navigator.h"
+
+namespace facenav::session {
+namespace {
+
+/// "FACE COVERED: move the coil or hand aside" -> "face covered": what was, not what to do.
+std::string titleOf(const std::string& words) {
+  std::string title = words.substr(0, words.find(':'));
+  std::transform(title.begin(), title.end(), title.begin(), [](unsigned char c) { return std::tolower(c); });
+  return title;
+}
+
+std::string outsideWords(const guidance::GuidanceValues& values, const guidance::Tolerance& tolerance) {
+  std::string words;
+  const auto add = [&](bool is_outside, const std::string& what) {
+    if (is_outside) words += (words.empty() ? "" : "; ") + what;
+  };
+  add(values.lateral_mm > tolerance.lateral_mm,
+      formatted("%.1f mm beside the target (%.1f allowed)", values.lateral_mm, tolerance.lateral_mm));
+  add(std::abs(values.depth_mm) > tolerance.depth_mm,
+      formatted("%.1f mm too %s (%.1f allowed)", std::abs(values.depth_mm),
+                values.depth_mm > 0 ? "deep" : "high", tolerance.depth_mm));
+  add(values.tilt_rad > tolerance.tilt_rad,
+      formatted("tilted by %.1f deg (%.1f allowed)", values.tilt_rad * kDegPerRad,
+                tolerance.tilt_rad * kDegPerRad));
+  add(std::abs(values.twist_rad) > tolerance.twist_rad,
+      formatted("turned by %.1f deg (%.1f allowed)", std::abs(values.twist_rad) * kDegPerRad,
+                tolerance.twist_rad * kDegPerRad));
+  return words;
+}
+
+/// Why nothing can be interpolated; empty: it can.
+std::string missingFrames(const std::optional<PosedFrame>& before, const std::optional<PosedFrame>& after) {
+  if (!before) return "no picture before the pulse";
+  if (!after) return formatted("no picture within %.1f s after the pulse", kLongestWait_s);
+  const double between_s = after->taken - before->taken;
+  if (before->coil != after->coil) return "another coil was chosen at that moment";
+  if (between_s > kLongestBetweenFrames_s) return formatted("no picture for %.2f s", between_s);
+  return {};
+}
+
+std::optional<double> sourceTime_s(Timestamp at, const std::optional<PosedFrame>& before,
+                                   const std::optional<PosedFrame>& after, double fraction) {
+  if (before && after) return (1.0 - fraction) * before->captured.s + fraction * after->captured.s;
+  if (before) return before->captured.s + (at - before->taken);
+  if (after) return after->captured.s - (after->taken - at);
+  return std::nullopt;
+}
+
+template <class Pose>
+std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Pose>& b, double fraction) {
+  if (!a || !b) return std::nullopt;
+  return interpolated(*a, *b, fraction);
+}
+
+/// What makes a pulse doubtful though the coil is where it should be.
+std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
+  std::string words;
+  const double planned_mm = guidance::centreGap_mm(target);
+  if (pulse.gap_mm && *pulse.gap_mm > planned_mm + kMostGapBeyondPlan_mm)
+    words = formatted("gap of %.1f mm to the skin (%.1f planned, %.1f more allowed)", *pulse.gap_mm,
+                      planned_mm, kMostGapBeyondPlan_mm);
+  if (pulse.predicted_error_mm && *pulse.predicted_error_mm > kMostPredictedError_mm)
+    words += (words.empty() ? "" : "; ") + formatted("alignment uncertain by %.1f mm (%.1f allowed)",
+                                                     *pulse.predicted_error_mm, kMostPredictedError_mm);
+  return words;
+}
+
+void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
+  if (!frame.chosen) {
+    pulse.status = casefile::PulseStatus::outside;
+    pulse.reason = "no target was chosen";
+    return;
+  }
+  const auto values = guidance::evaluate(frame.chosen->target, *pulse.mri_T_coil());
+  pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegPerRad,
+                  values.twist_rad * kDegPerRad};
+  pulse.reason = outsideWords(values, frame.tolerance);
+  if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, frame.chosen->target);
+  pulse.status = pulse.reason.empty() ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;
+}
+
+}  // namespace
+
+PosedFrame posedFrame(const NavigationState& state) {
+  PosedFrame posed{state.frame, state.captured,  state.taken,   {}, {}, state.chosen, state.tolerance,
+                   {},          state.coil_name, state.gap.live};
+  if (state.camera_T_mri) posed.camera_T_mri = *state.camera_T_mri;
+  if (state.camera_T_coil) posed.camera_T_coil = *state.camera_T_coil;
+  if (!state.camera_T_mri || !state.camera_T_coil) posed.loss = titleOf(lossInWords(state));
+  return posed;
+}
+
+casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,
+                             const std::optional<PosedFrame>& after, const registration::ScalpField* scalp) {
+  casefile::Pulse pulse;
+  const double between_s = before && after ? after->taken - before->taken : 0.0;
+  const double fraction =
+      between_s > 0 ? std::clamp((trigger.at - before->taken) / between_s, 0.0, 1.0) : 0.0;
+  pulse.t_s = sourceTime_s(trigger.at, before, after, fraction);
+  pulse.steady_s = trigger.at.s;
+  pulse.utc = isoUtc(trigger.utc);
+  pulse.source = trigger.source;
+  pulse.intensity_pct = trigger.intensity_pct;
+  const PosedFrame* known = before ? &*before : after ? &*after : nullptr;
+  if (known) pulse.coil = known->coil;
+  if (known && known->chosen) {
+    pulse.target = known->chosen->target;
+    pulse.target->note.clear();
+    if (known->chosen->predicted_error_mm > 0) pulse.predicted_error_mm = known->chosen->predicted_error_mm;
+  }
+  pulse.reason = missingFrames(before, after);
+  if (!pulse.reason.empty()) return pulse;  // lost
+  pulse.frames = {before->frame, after->frame};
+  pulse.fraction = fraction;
+  pulse.camera_T_mri = between(before->camera_T_mri, after->camera_T_mri, fraction);
+  pulse.camera_T_coil = between(before->camera_T_coil, after->camera_T_coil, fraction);
+  if (pulse.camera_T_mri && pulse.camera_T_coil) {
+    if (scalp) pulse.gap_mm = gapToSkin_mm(*pulse.mri_T_coil(), *scalp);
+    if (pulse.gap_mm && before->live) pulse.gap_stereo_mm = *pulse.gap_mm - before->live->above_skin_mm;
+    judge(pulse, *before);
+  } else {
+    pulse.reason = before->loss.empty() ? after->loss : before->loss;
+  }
+  return pulse;
+}
+
+}  // namespace facenav::session
