@@ -1,9 +1,13 @@
 # facenav_add_module(NAME m SOURCES a.cpp .. [DEPENDS lower modules] [LIBS public third party] [PRIVATE_LIBS ..])
 # One static library facenav_<m> with its own public include folder. A DEPENDS that was not added before is
 # an error: modules are added bottom-up, so a cycle cannot be written.
+# COLD: its code runs seldom or waits for files, screens and people: compiled with -O1, which takes a fifth less time.
 # Without SOURCES the module is headers only. UNITY n: so many files are compiled together (default: CMakeLists.txt); fewer where names of more files clash.
+function(facenav_compile_cold target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
 function(facenav_add_module)
-  cmake_parse_arguments(M "" "NAME;UNITY" "SOURCES;DEPENDS;LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(M "COLD" "NAME;UNITY" "SOURCES;DEPENDS;LIBS;PRIVATE_LIBS" ${ARGN})
   set(scope PUBLIC)
   if(M_SOURCES)
     add_library(facenav_${M_NAME} STATIC ${M_SOURCES})
@@ -26,5 +30,10 @@ function(facenav_add_module)
   if(M_UNITY)
     set_target_properties(facenav_${M_NAME} PROPERTIES UNITY_BUILD_BATCH_SIZE ${M_UNITY})
   endif()
-  facenav_use_headers(facenav_${M_NAME} facenav_module_headers)
+  if(M_COLD)
+    facenav_compile_cold(facenav_${M_NAME})
+    facenav_use_headers(facenav_${M_NAME} facenav_cold_headers)
+  else()
+    facenav_use_headers(facenav_${M_NAME} facenav_module_headers)
+  endif()
 endfunction()

@@ -24,6 +24,8 @@ endfunction()
 
 if(FACENAV_PRECOMPILED)
   facenav_add_headers(facenav_module_headers HEADERS ${FACENAV_COMMON_HEADERS} LIBS ${FACENAV_COMMON_LIBS})
+  facenav_add_headers(facenav_cold_headers HEADERS ${FACENAV_COMMON_HEADERS} LIBS ${FACENAV_COMMON_LIBS})
+  facenav_compile_cold(facenav_cold_headers)
   if(FACENAV_BUILD_TESTS OR FACENAV_BUILD_BENCHMARKS)
     facenav_add_headers(facenav_test_headers HEADERS ${FACENAV_TEST_HEADERS} LIBS ${FACENAV_COMMON_LIBS} GTest::gmock)
     target_compile_options(facenav_test_headers PRIVATE ${FACENAV_TEST_OPTIMISATION})  # as facenav_add_test

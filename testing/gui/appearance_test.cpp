@@ -12,10 +12,10 @@
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "main_window.h"
-#include "widgets/figures_panel.h"
-#include "workspaces/prepare/prepare_workspace.h"
-#include "workspaces/treat_workspace.h"
+#include "shell/main_window.h"
+#include "treat/figures_panel.h"
+#include "prepare/prepare_workspace.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

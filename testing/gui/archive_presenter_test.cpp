@@ -1,4 +1,4 @@
-#include "presenters/archive_presenter.h"
+#include "prepare/archive_presenter.h"
 
 #include <gtest/gtest.h>
 

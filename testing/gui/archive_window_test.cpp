@@ -14,10 +14,10 @@
 #include "facenav/scene/display.h"
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "support/orthanc.h"
-#include "workspaces/prepare/archive_page.h"
-#include "workspaces/prepare/prepare_workspace.h"
+#include "prepare/archive_page.h"
+#include "prepare/prepare_workspace.h"
 
 namespace facenav::ui {
 namespace {

@@ -1,11 +1,11 @@
-#include "widgets/camera_row.h"
+#include "treat/camera_row.h"
 
 #include <gtest/gtest.h>
 
 #include <QTest>
 
 #include "facenav/session/session.h"
-#include "views/image_view.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "gui_fixtures.h"
-#include "presenters/treat_presenter.h"
+#include "treat/treat_presenter.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui {

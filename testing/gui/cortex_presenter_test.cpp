@@ -1,4 +1,4 @@
-#include "presenters/cortex_presenter.h"
+#include "plan/cortex_presenter.h"
 
 #include <gtest/gtest.h>
 

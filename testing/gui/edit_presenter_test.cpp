@@ -1,11 +1,11 @@
-#include "presenters/edit_presenter.h"
+#include "prepare/edit_presenter.h"
 
 #include <gtest/gtest.h>
 
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/scene/navigation_scene.h"
 #include "gui_fixtures.h"
-#include "presenters/sign_off_presenter.h"
+#include "prepare/sign_off_presenter.h"
 
 namespace facenav::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <QElapsedTimer>
 #include <functional>
 
-#include "presenters/case_model.h"
+#include "shell/case_model.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
 

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QSettings>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "support/test_data.h"
 

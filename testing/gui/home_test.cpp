@@ -8,7 +8,7 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/zip_file.h"

@@ -1,12 +1,12 @@
 // Hotspot and threshold, answers and notes in Treat, without a window.
 
-#include "presenters/motor_presenter.h"
+#include "treat/motor_presenter.h"
 
 #include <gtest/gtest.h>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/twitches.h"
-#include "presenters/session_sounds.h"
+#include "treat/session_sounds.h"
 #include "treat_fixtures.h"
 
 namespace facenav::ui {

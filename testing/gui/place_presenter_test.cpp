@@ -1,9 +1,9 @@
-#include "presenters/place_presenter.h"
+#include "plan/place_presenter.h"
 
 #include <gtest/gtest.h>
 
 #include "gui_fixtures.h"
-#include "presenters/typed_coordinates.h"
+#include "plan/typed_coordinates.h"
 
 namespace facenav::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "presenters/plan_presenter.h"
+#include "plan/plan_presenter.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "facenav/guidance/handle.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "presenters/head_presenter.h"
-#include "widgets/handle_panel.h"
+#include "plan/head_presenter.h"
+#include "plan/handle_panel.h"
 
 namespace facenav::ui {
 namespace {

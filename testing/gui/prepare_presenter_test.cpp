@@ -1,4 +1,4 @@
-#include "presenters/prepare_presenter.h"
+#include "prepare/prepare_presenter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "gui_fixtures.h"
-#include "workspaces/prepare/series_page.h"
+#include "prepare/series_page.h"
 
 namespace facenav::ui {
 namespace {

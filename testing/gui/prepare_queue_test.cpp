@@ -1,4 +1,4 @@
-#include "presenters/prepare_queue.h"
+#include "prepare/prepare_queue.h"
 
 #include <gmock/gmock.h>
 

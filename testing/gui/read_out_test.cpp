@@ -1,10 +1,10 @@
-#include "presenters/read_out.h"
+#include "treat/read_out.h"
 
 #include <gtest/gtest.h>
 
 #include <QLabel>
 
-#include "widgets/figures_panel.h"
+#include "treat/figures_panel.h"
 
 namespace facenav::ui {
 namespace {

@@ -11,13 +11,13 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/casefile/kept_session.h"
 #include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "main_window.h"
-#include "workspaces/review/review_workspace.h"
+#include "shell/main_window.h"
+#include "review/review_workspace.h"
 
 namespace facenav::ui {
 namespace {

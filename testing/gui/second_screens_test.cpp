@@ -11,12 +11,12 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "treat_fixtures.h"
-#include "views/guidance_screen.h"
-#include "views/projector_screen.h"
-#include "widgets/tip_panel.h"
-#include "workspaces/treat_workspace.h"
+#include "treat/guidance_screen.h"
+#include "treat/projector_screen.h"
+#include "treat/tip_panel.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QtTest/QTest>
 #include <cstdlib>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/fitted_words.h"

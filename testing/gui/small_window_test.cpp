@@ -13,16 +13,16 @@
 #include <QSpinBox>
 #include <cstdlib>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "support/made_session.h"
-#include "views/scene_view.h"
-#include "widgets/scroll_column.h"
-#include "workspaces/prepare/prepare_workspace.h"
-#include "workspaces/review/review_workspace.h"
-#include "workspaces/treat_workspace.h"
+#include "shell/scene_view.h"
+#include "shell/scroll_column.h"
+#include "prepare/prepare_workspace.h"
+#include "review/review_workspace.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "presenters/task_runner.h"
+#include "shell/task_runner.h"
 
 #include <gtest/gtest.h>
 

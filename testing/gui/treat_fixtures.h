@@ -7,7 +7,7 @@
 
 #include "facenav/capture/recording.h"
 #include "gui_fixtures.h"
-#include "presenters/services.h"
+#include "shell/services.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui::treat_fixtures {

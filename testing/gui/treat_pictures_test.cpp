@@ -8,17 +8,17 @@
 #include <QApplication>
 #include <cstdlib>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "facenav/casefile/sign_off.h"
 #include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/home_window.h"
-#include "main_window.h"
-#include "views/guidance_screen.h"
-#include "views/projector_screen.h"
-#include "views/second_screens.h"
-#include "workspaces/treat_workspace.h"
+#include "shell/main_window.h"
+#include "treat/guidance_screen.h"
+#include "treat/projector_screen.h"
+#include "shell/second_screens.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

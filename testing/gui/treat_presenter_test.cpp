@@ -6,8 +6,8 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "presenters/session_end.h"
-#include "presenters/treat_presenter.h"
+#include "treat/session_end.h"
+#include "treat/treat_presenter.h"
 #include "treat_fixtures.h"
 
 namespace facenav::ui {

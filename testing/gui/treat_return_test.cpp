@@ -12,11 +12,11 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "support/changed_settings.h"
 #include "support/made_session.h"
 #include "treat_fixtures.h"
-#include "workspaces/treat_workspace.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

@@ -9,12 +9,12 @@
 #include <thread>
 
 #include "facenav/scene/display.h"
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "treat_fixtures.h"
-#include "views/scene_view.h"
-#include "widgets/camera_row.h"
-#include "widgets/figures_panel.h"
-#include "workspaces/treat_workspace.h"
+#include "shell/scene_view.h"
+#include "treat/camera_row.h"
+#include "treat/figures_panel.h"
+#include "treat/treat_workspace.h"
 
 namespace facenav::ui {
 namespace {

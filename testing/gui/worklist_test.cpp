@@ -1,4 +1,4 @@
-#include "presenters/worklist_table.h"
+#include "prepare/worklist_table.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "presenters/sign_off_presenter.h"
-#include "workspaces/prepare/worklist_page.h"
+#include "prepare/sign_off_presenter.h"
+#include "prepare/worklist_page.h"
 
 namespace facenav::ui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 namespace {

@@ -10,10 +10,10 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "home/fitted_words.h"
 #include "home/sign_view.h"
-#include "views/image_view.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 namespace {

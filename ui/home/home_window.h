@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "presenters/home_presenter.h"
+#include "home/home_presenter.h"
 
 class QLabel;
 class QPushButton;

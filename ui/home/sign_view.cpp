@@ -4,7 +4,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 namespace {

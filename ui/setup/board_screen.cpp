@@ -6,7 +6,7 @@
 #include <QScreen>
 
 #include "facenav/cameras/board_page.h"
-#include "views/image_view.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 

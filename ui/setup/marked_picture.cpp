@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "views/image_view.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QPainter>
 
 #include "facenav/core/timestamp.h"
-#include "views/image_view.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 

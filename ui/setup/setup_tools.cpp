@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "setup/board_screen.h"
-#include "widgets/camera_choice.h"
-#include "widgets/narrow_label.h"
+#include "treat/camera_choice.h"
+#include "shell/narrow_label.h"
 
 namespace facenav::ui {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QStackedWidget>
 
-#include "presenters/setup_presenter.h"
+#include "setup/setup_presenter.h"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -8,13 +8,13 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "appearance.h"
+#include "shell/appearance.h"
 #include "home/fitted_words.h"
 #include "setup/marked_picture.h"
 #include "setup/setup_tools.h"
-#include "views/image_view.h"
-#include "widgets/narrow_label.h"
-#include "widgets/scroll_column.h"
+#include "shell/image_view.h"
+#include "shell/narrow_label.h"
+#include "shell/scroll_column.h"
 
 namespace facenav::ui {
 namespace {

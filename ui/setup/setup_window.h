@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "presenters/setup_presenter.h"
+#include "setup/setup_presenter.h"
 
 class QLabel;
 class QProgressBar;

@@ -1,0 +1,91 @@
+#pragma once
+// HomePresenter: treatment by a person at home or a nurse, in three steps: sit and look, hold the coil,
+// follow the arrow; then one file to send back. It refuses what it cannot verify, in one sentence. The steps
+// are those of home/home_case.h, home_advice.h and treatment.h.
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "facenav/home/home_advice.h"
+#include "facenav/home/home_case.h"
+#include "facenav/treat/treatment.h"
+#include "treat/cameras_presenter.h"
+#include "shell/retirement.h"
+#include "shell/services.h"
+#include "shell/task_runner.h"
+
+namespace facenav::ui {
+
+class HomePresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  /// opening: the case is read. unusable: it cannot be treated with. sit: before the face is measured.
+  /// starting: it is measured, or the trackers start. guiding, ending, ended.
+  enum class Stage { opening, unusable, sit, starting, guiding, ending, ended };
+
+  HomePresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
+  ~HomePresenter() override;
+
+  void open(const QString& case_folder);
+  /// A recording in place of the cameras.
+  void play(const QString& recording);
+  CamerasPresenter& cameras() { return cameras_; }
+  bool hasPictures() const { return recording_.has_value() || cameras_.isLive(); }
+
+  Stage stage() const { return stage_; }
+  /// Why the last step was refused, in one sentence; empty: it was not.
+  QString refusal() const { return refusal_; }
+  /// What the big button does now: "START", "TAKE THE PICTURE", "FINISH", ..; empty: nothing.
+  QString actionWords() const;
+  /// What to do, where no session runs: one sentence.
+  QString words() const;
+  /// The big button.
+  void act();
+  /// The next step of a running session.
+  steps::HomeAdvice advice();
+  std::shared_ptr<const session::NavigationState> state() const;
+
+  void countPulse();
+  session::PulseCounts pulseCounts() const;
+  std::optional<int> plannedPulses() const;
+  /// What must be known of the coil: that its calibration is old; empty: nothing.
+  QString reminder() const;
+
+  /// Of the file to send back: "facenav_20261123T140509Z.zip".
+  QString sendBackName() const;
+  /// Writes it. False: refused, with words.
+  bool save(const QString& file);
+  /// Where it was saved; empty: not yet.
+  QString savedAs() const { return saved_as_; }
+
+ signals:
+  void changed();
+  /// A name for the file is wanted.
+  void saveWanted();
+
+ private:
+  void set(Stage stage, const QString& refusal = {});
+  void align();
+  void startTrackers(std::shared_ptr<const steps::AlignmentOutcome> outcome);
+  void begin(steps::PreparedTreatment& prepared);
+  void finish();
+  void refuse(const QString& words);
+
+  const Services& services_;
+  TaskRunner& tasks_;
+  CamerasPresenter cameras_;
+  Stage stage_ = Stage::opening;
+  QString refusal_, play_refusal_, saved_as_;
+  std::optional<steps::HomeCase> home_;
+  std::optional<capture::Recording> recording_;  // played; nothing: live cameras
+  std::shared_ptr<steps::Treatment> treatment_;
+  std::optional<steps::OtherCoilWatch> other_coil_;
+  std::filesystem::path session_;
+  std::optional<int> planned_;
+  session::PulseCounts counts_;  // of the ended session
+  Retirement retirement_;
+};
+
+}  // namespace facenav::ui

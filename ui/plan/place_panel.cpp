@@ -1,0 +1,71 @@
+#include "plan/place_panel.h"
+
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "shell/narrow_label.h"
+
+namespace facenav::ui {
+
+PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
+    : QFrame(parent), presenter_(presenter), words_(new QLabel(this)), fault_(new QLabel(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* heading = new QLabel(tr("Crosshair"), this);
+  heading->setObjectName("heading");
+  words_->setObjectName("figures_text");
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
+  makeNarrow(*words_);
+  frame_ = new QComboBox(this);
+  frame_->addItems({tr("MNI"), tr("RAS")});
+  frame_->setToolTip(tr("what the typed numbers are"));
+  typed_ = new QLineEdit(this);
+  typed_->setPlaceholderText(tr("x y z, mm"));
+  typed_->setToolTip(
+      tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "
+         "(Ctrl+G)"));
+  target_ = new QPushButton(tr("Target at the crosshair"), this);
+  target_->setToolTip(tr("a target at the cortex under it (T)"));
+  target_->setShortcut(Qt::Key_T);
+  fault_->setObjectName("fault");
+  makeNarrow(*fault_);
+  fault_->hide();
+  auto* row = new QHBoxLayout;
+  row->addWidget(frame_);
+  row->addWidget(typed_, 1);
+  column->addWidget(heading);
+  column->addWidget(words_);
+  column->addLayout(row);
+  column->addWidget(fault_);
+  column->addWidget(target_);
+  connect(typed_, &QLineEdit::returnPressed, this, &PlacePanel::read);
+  connect(target_, &QPushButton::clicked, this,
+          [this] { emit targetWanted(crosshair_.mm.x(), crosshair_.mm.y(), crosshair_.mm.z()); });
+}
+
+void PlacePanel::show(const Point<Mri>& crosshair) {
+  crosshair_ = crosshair;
+  words_->setText(presenter_.describe(crosshair));
+  if (!presenter_.hasAtlas()) frame_->setCurrentIndex(1);
+}
+
+void PlacePanel::takeFocus() {
+  typed_->setFocus();
+  typed_->selectAll();
+}
+
+void PlacePanel::read() {
+  QString why;
+  const auto place = presenter_.read(typed_->text(), frame_->currentIndex() == 0, why);
+  fault_->setText(why);
+  fault_->setVisible(!why.isEmpty());
+  if (place) emit goTo(place->mm.x(), place->mm.y(), place->mm.z());
+}
+
+}  // namespace facenav::ui

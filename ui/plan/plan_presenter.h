@@ -1,0 +1,115 @@
+#pragma once
+// PlanPresenter: binds the window to plan/plan_editor.h. It adds targets on the cortex by a click, and
+// turns, renames and removes them. Every step can be undone and is saved in the case at once.
+
+#include <QObject>
+
+#include "facenav/scene/coil_slices.h"
+#include "facenav/plan/plan_editor.h"
+#include "shell/case_model.h"
+
+namespace facenav::ui {
+
+class PlanPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PlanPresenter(CaseModel& model, QObject* parent = nullptr);
+
+  /// Adds a target at a point of the cortex, under the scalp, with the handle at 45 degrees. It becomes the
+  /// active one. Refused for a point outside the head.
+  void addTarget(const Point<Mri>& cortex_point);
+  /// A click on the scalp: the target is at the nearest brain surface below.
+  void addTargetAtScalp(const Point<Mri>& scalp_point);
+  /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
+  /// Refused if the point lies more than surface::kFarthestOutside_mm outside the head.
+  void addTargetNear(const Point<Mri>& point);
+  /// Adds a target at a preset (plan/presets.h), with its name; one of the same name is replaced. Refused
+  /// where the head has no such place.
+  void addPreset(const QString& preset, const steps::HeadMeasures& measures);
+  void removeActive();
+  void renameActive(const QString& name);
+  /// Turns the handle; > 0 is clockwise when seen along the coil's z.
+  void turnActive(double degrees);
+  /// Sets the active target's handle angle (as handleAngle_deg) or gap from typed text: "+45", "-12,5°", "4
+  /// mm". Refused, in one line, if it is no number or outside guidance's ranges.
+  void setHandle(const QString& typed);
+  void setGap(const QString& typed);
+  /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
+  void nudgeActive(double x_mm, double y_mm);
+  /// A copy, and the same on the other side of the head (through the atlas); each becomes the active one.
+  void duplicateActive();
+  void mirrorActive();
+  /// A locked target can be neither changed nor removed.
+  void lockActive(bool is_locked);
+  void setNote(const QString& note);
+  /// The active target's own dose; nothing: the protocol's holds. Refused out of its ranges.
+  void setDose(const std::optional<guidance::Dose>& dose);
+  /// The case uses a copy of this protocol file from now on, or none. Refused as casefile::setProtocol.
+  void setProtocol(const QString& file);
+  void removeProtocol();
+  /// The case is planned for this coil.json from now on; targets stay as they are until they are edited.
+  void setCoil(const QString& file);
+  /// Names of the coils of the library that can be used.
+  QStringList libraryCoils() const;
+  /// The same as setCoil by the coil's name in the library.
+  void setCoilNamed(const QString& name);
+  /// A grid round the active target; nothing removes it. Targets of it that were edited by hand stay.
+  void setGrid(const std::optional<guidance::GridSpec>& grid);
+  /// Up (-1) or down (1) in the list.
+  void moveActive(int places);
+  /// The target of the undone step becomes the active one. If the case cannot be written nothing changes,
+  /// refused() says why, and the step can be tried again.
+  void undo();
+  void redo();
+
+  bool canUndo() const { return editor_.canUndo(); }
+  bool canRedo() const { return editor_.canRedo(); }
+  const guidance::TreatmentPlan& plan() const;
+  void setActive(const QString& name);
+  QString activeName() const { return QString::fromStdString(editor_.activeName()); }
+  const guidance::Target* active() const;
+  /// The active target's coil with the error that the case's alignment predicts there; nothing without one.
+  std::optional<scene::SlicedCoil> slicedCoil() const;
+  /// "+45" (or "+43.7") and "4.0", as shown in the fields; empty without an active target.
+  QString handleFigure() const;
+  QString gapFigure() const;
+  /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. This and the functions below
+  /// are valid only while a case is open.
+  double handleAngle_deg(const guidance::Target& target) const;
+  /// "handle +45° from anterior (+ to the midline)".
+  QString handleWords(const guidance::Target& target) const;
+  /// "rests flat on the head", or how far its centre is from the skin, its tilt, its contacts.
+  QString contactWords(const guidance::Target& target) const;
+  /// How the active target differs from another one, in mm and degrees.
+  QString compareWords(const QString& other) const;
+  /// The active target's own dose, else the protocol's; nothing: neither states one.
+  std::optional<guidance::Dose> doseInForce() const;
+  /// "'M1 10 Hz', version 2: 3000 pulses", or that there is none, or why it cannot be read.
+  QString protocolWords() const;
+  /// "25 min 0 s" of the dose in force; empty where it is not known.
+  QString durationWords() const;
+  QString coilWords() const;
+  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, and the contact; one per
+  /// line.
+  QString describe(const guidance::Target& target) const;
+
+ signals:
+  void changed();
+  void refused(const QString& words);
+
+ private:
+  steps::PlannedCase planned();
+  /// Runs the edit, then emits changed(), or refused() with the reason. `name`: the wanted name of the
+  /// target.
+  template <class Edit>
+  void attempt(Edit edit, const QString& name = {});
+  void replaceActive(const guidance::Target& target);
+  template <class Change>
+  void setTyped(const QString& typed, const QString& unit, Change change);
+
+  CaseModel& model_;
+  steps::PlanEditor editor_;
+};
+
+}  // namespace facenav::ui

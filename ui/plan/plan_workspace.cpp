@@ -1,0 +1,303 @@
+#include "plan/plan_workspace.h"
+
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QShortcut>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "shell/appearance.h"
+#include "shell/linked_views.h"
+#include "plan/brain_look_panel.h"
+#include "plan/handle_panel.h"
+#include "plan/map_legend.h"
+#include "shell/narrow_label.h"
+#include "plan/place_panel.h"
+#include "shell/scroll_column.h"
+#include "shell/shown_tools.h"
+#include "plan/target_tools.h"
+
+namespace facenav::ui {
+
+PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex,
+                             CaseModel& model, QWidget* parent)
+    : QWidget(parent),
+      presenter_(presenter),
+      place_(place),
+      cortex_(cortex),
+      model_(model),
+      head_(new HeadPresenter(model, this)),
+      overlays_(new OverlayPresenter(model, this)),
+      views_(new LinkedViews(this)),
+      overlay_layer_(std::make_unique<scene::OverlayLayer>(views_->sceneView().scene())),
+      site_layer_(std::make_unique<scene::SiteLayer>(views_->sceneView().scene())) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 10, 10, 10);
+  row->addWidget(views_, 1);
+  views_->addCoilSlices();
+  views_->setSceneFooter(new BrainLookPanel(cortex_, views_));
+  row->addWidget(makeTargetsPanel());
+  addKeys();
+  connect(&model_, &CaseModel::opened, this, [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  });
+  connect(&model_, &CaseModel::brainChanged, this, [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  });
+  connect(&cortex_, &CortexPresenter::cortexChanged, this, [this] {
+    if (!is_outdated_) takeCortex();
+  });
+  // Draws one image at a time, however fast the slider moves.
+  connect(&cortex_, &CortexPresenter::changed, this, [this] {
+    if (std::exchange(is_drawing_brain_, true)) return;
+    QTimer::singleShot(0, this, [this] {
+      is_drawing_brain_ = false;
+      showBrain();
+    });
+  });
+  connect(views_, &LinkedViews::crosshairMoved, this, [this] { place_panel_->show(views_->crosshair()); });
+  connect(place_panel_, &PlacePanel::goTo, this, [this](double x, double y, double z) {
+    views_->setCrosshair({x, y, z});
+  });
+  connect(place_panel_, &PlacePanel::targetWanted, this, [this](double x, double y, double z) {
+    presenter_.addTargetNear({x, y, z});
+  });
+  connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
+  connect(head_, &HeadPresenter::refused, &presenter_, &PlanPresenter::refused);
+  connect(head_, &HeadPresenter::changed, this, &PlanWorkspace::showSites);
+  connect(overlays_, &OverlayPresenter::refused, &presenter_, &PlanPresenter::refused);
+  connect(overlays_, &OverlayPresenter::changed, this, &PlanWorkspace::showOverlays);
+  connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
+    is_scalp ? presenter_.addTargetAtScalp({x, y, z}) : presenter_.addTarget({x, y, z});
+  });
+}
+
+TargetTools* PlanWorkspace::makeTools(QWidget* parent) {
+  auto* tools = new TargetTools(presenter_, *head_, parent);
+  connect(tools, &TargetTools::landmarkWanted, this,
+          [this](surface::Landmark which) { head_->setLandmark(which, views_->crosshair()); });
+  connect(tools, &TargetTools::goTo, this, [this](double x, double y, double z) {
+    views_->setCrosshair({x, y, z});
+  });
+  connect(tools, &TargetTools::compareWith, this, [this](const QString& target) {
+    compared_with_ = target;
+    showPlan();
+  });
+  return tools;
+}
+
+/// A search over the list, and the active target's note.
+QWidget* PlanWorkspace::makeFields(QWidget* parent) {
+  search_ = new QLineEdit(parent);
+  search_->setPlaceholderText(tr("search"));
+  search_->setToolTip(tr("shows the targets whose name or note holds these words"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, this, &PlanWorkspace::filterTargets);
+  note_ = new QLineEdit(parent);
+  note_->setPlaceholderText(tr("note"));
+  note_->setToolTip(tr("note of the active target (Return)"));
+  connect(note_, &QLineEdit::editingFinished, this, [this] {
+    if (!note_->isModified()) return;
+    note_->setModified(false);
+    presenter_.setNote(note_->text());
+  });
+  return search_;
+}
+
+void PlanWorkspace::filterTargets() {
+  const QString words = search_->text().trimmed();
+  for (int i = 0; i < targets_->count(); ++i) {
+    auto* item = targets_->item(i);
+    const auto* target = steps::find(presenter_.plan(), item->text().toStdString());
+    const bool has_words =
+        item->text().contains(words, Qt::CaseInsensitive) ||
+        (target && QString::fromStdString(target->note).contains(words, Qt::CaseInsensitive));
+    item->setHidden(!has_words);
+  }
+}
+
+void PlanWorkspace::showFields() {
+  const auto* active = presenter_.active();
+  note_->setEnabled(active != nullptr);
+  if (!note_->hasFocus()) note_->setText(active ? QString::fromStdString(active->note) : QString());
+  search_->setVisible(presenter_.plan().targets.size() > 5);
+  filterTargets();
+}
+
+QWidget* PlanWorkspace::makeTargetsPanel() {
+  auto* panel = new QFrame(this);
+  panel->setObjectName("panel");
+  auto* column = new QVBoxLayout(panel);
+  auto* heading = new QLabel(tr("Targets"), panel);
+  heading->setObjectName("heading");
+  targets_ = new QListWidget(panel);
+  targets_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  targets_->setToolTip(tr("double click or F2: rename"));
+  detail_ = new QLabel(panel);
+  makeNarrow(*detail_);
+  detail_->setObjectName("figures_text");
+  detail_->setToolTip(tr(
+      "mm and degrees; gap: between coil and skin, for hair; handle: 0\u00b0 points straight back, + turns "
+      "its front to the midline; over forehead and occiput it is measured from superior"));
+  auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
+  hint->setObjectName("muted");
+  makeNarrow(*hint);
+  column->addWidget(heading);
+  column->addWidget(hint);
+  auto* body = new QWidget(panel);
+  auto* within = new QVBoxLayout(body);
+  within->setContentsMargins(0, 0, 0, 0);
+  targets_->setMinimumHeight(sized(90));
+  targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
+  within->addWidget(makeTools(body));
+  shown_ = new ShownTools(presenter_, *overlays_, body);
+  within->addWidget(shown_);
+  within->addWidget(new MapLegend(*overlays_, body));
+  within->addWidget(makeFields(body));
+  within->addWidget(targets_, 1);
+  within->addWidget(detail_);
+  within->addWidget(note_);
+  within->addWidget(new HandlePanel(presenter_, panel));
+  auto* edit = new QHBoxLayout;
+  undo_ = new QPushButton(tr("Undo"), panel);
+  redo_ = new QPushButton(tr("Redo"), panel);
+  remove_ = new QPushButton(tr("Delete"), panel);
+  undo_->setToolTip(tr("Ctrl+Z"));
+  redo_->setToolTip(tr("Ctrl+Shift+Z"));
+  remove_->setToolTip(tr("Del"));
+  for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
+  within->addLayout(edit);
+  column->addWidget(new ScrollColumn(body, sized(300), panel), 1);
+  place_panel_ = new PlacePanel(place_, panel);
+  column->addWidget(place_panel_);
+  connect(shown_, &ShownTools::sitesShown, this, &PlanWorkspace::showSites);
+  connect(shown_, &ShownTools::coilSlicesShown, views_, &LinkedViews::setCoilSlicesShown);
+  views_->setCoilSlicesShown(shown_->showsCoilSlices());
+  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
+  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
+  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
+  connect(targets_, &QListWidget::currentTextChanged, this, [this](const QString& name) {
+    if (!is_filling_) presenter_.setActive(name);
+  });
+  connect(targets_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (!is_filling_) presenter_.renameActive(item->text());
+  });
+  return panel;
+}
+
+void PlanWorkspace::showOverlays() {
+  if (is_outdated_ || !model_.isOpen()) return;
+  const auto shown = overlays_->shown();
+  views_->setOverlays(shown);
+  const bool is_cortex = cortex_.look() != scene::BrainLook::model && cortex_.cortex();
+  const auto& brain = model_.current().brain;
+  overlay_layer_->set(shown, is_cortex ? &cortex_.cortex()->cortex.mesh : brain ? &brain->mesh : nullptr);
+  views_->sceneView().refresh();
+}
+
+void PlanWorkspace::showSites() {
+  if (is_outdated_ || !model_.isOpen()) return;
+  std::vector<scene::ScalpSite> sites;
+  if (shown_->showsSites()) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);  // the first measures of a head take a second or two
+    for (const auto& site : head_->sites()) sites.push_back({site.name, site.point});
+    QGuiApplication::restoreOverrideCursor();
+  }
+  site_layer_->set(sites, sized(100) / 100.0);
+  views_->sceneView().refresh();
+}
+
+void PlanWorkspace::addKeys() {
+  const auto key = [this](const QKeySequence& keys, auto action) {
+    auto* shortcut = new QShortcut(keys, this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, action);
+  };
+  key(Qt::Key_Q, [this] { presenter_.turnActive(-5); });
+  key(Qt::Key_E, [this] { presenter_.turnActive(5); });
+  key(QKeySequence::Undo, [this] { presenter_.undo(); });
+  key(QKeySequence::Redo, [this] { presenter_.redo(); });
+  key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
+  key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
+  // Seen from above the coil, its +x points left.
+  for (const auto& [modifier, mm] : {std::pair(0, 1.0), std::pair(int(Qt::SHIFT), 5.0)}) {
+    const int held = Qt::ALT + modifier;
+    const double step_mm = mm;
+    key(held + Qt::Key_Left, [this, step_mm] { presenter_.nudgeActive(step_mm, 0); });
+    key(held + Qt::Key_Right, [this, step_mm] { presenter_.nudgeActive(-step_mm, 0); });
+    key(held + Qt::Key_Up, [this, step_mm] { presenter_.nudgeActive(0, step_mm); });
+    key(held + Qt::Key_Down, [this, step_mm] { presenter_.nudgeActive(0, -step_mm); });
+  }
+}
+
+void PlanWorkspace::showCase() {
+  if (!is_outdated_ || !model_.isOpen()) return;
+  is_outdated_ = false;
+  views_->show(model_.current());
+  shown_cortex_.reset();  // the new brain removes it from the scene
+  views_->setMasksShown(false);
+  takeCortex();
+  showBrain();
+  showPlan();
+  showOverlays();
+  showSites();
+  if (const auto* target = presenter_.active()) views_->setCrosshair(target->cortex_point);
+  views_->sceneView().scene().setView(scene::ViewPreset::target);
+}
+
+void PlanWorkspace::takeCortex() {
+  auto& scene = views_->sceneView().scene();
+  if (shown_cortex_ == cortex_.cortex()) return;
+  scene.setCortex(cortex_.cortex());
+  shown_cortex_ = cortex_.cortex();
+  showOverlays();
+}
+
+void PlanWorkspace::showBrain() {
+  auto& view = views_->sceneView();
+  const bool is_peeling = std::exchange(shown_peel_mm_, cortex_.peel_mm()) != cortex_.peel_mm();
+  const bool is_beside = cortex_.isBesideModel() && cortex_.cortex() && model_.isOpen();
+  views_->showModelBeside(is_beside ? &model_.current() : nullptr);
+  if (std::exchange(shown_look_, cortex_.look()) != cortex_.look()) showOverlays();
+  view.scene().setBrainLook(cortex_.look());
+  view.scene().setPeelDepth(cortex_.peel_mm());
+  is_peeling ? view.refreshPeeling() : view.refreshMoving();
+}
+
+void PlanWorkspace::showPlan() {
+  is_filling_ = true;
+  targets_->clear();
+  for (const auto& target : presenter_.plan().targets) {
+    auto* item = new QListWidgetItem(QString::fromStdString(target.name), targets_);
+    if (!target.is_locked) item->setFlags(item->flags() | Qt::ItemIsEditable);
+    if (target.is_locked) item->setToolTip(tr("locked"));
+    if (item->text() == presenter_.activeName()) targets_->setCurrentItem(item);
+  }
+  is_filling_ = false;
+  const auto* active = presenter_.active();
+  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.describe(*active)
+                          : tr("no target chosen"));
+  const QString compared = presenter_.compareWords(compared_with_);
+  if (!compared.isEmpty()) detail_->setText(detail_->text() + "\n" + compared);
+  showFields();
+  undo_->setEnabled(presenter_.canUndo());
+  redo_->setEnabled(presenter_.canRedo());
+  remove_->setEnabled(active && !active->is_locked);
+  if (is_outdated_ || !model_.isOpen()) return;
+  auto& scene = views_->sceneView().scene();
+  scene.setCoilGhost(active ? std::optional(active->mri_T_target) : std::nullopt);
+  views_->setTargets(presenter_.plan(), presenter_.activeName().toStdString());
+  views_->setCoil(presenter_.slicedCoil(), tr("no target chosen"));
+  if (active) views_->setCrosshair(active->cortex_point);
+}
+
+void PlanWorkspace::showEvent(QShowEvent*) { showCase(); }
+
+}  // namespace facenav::ui

@@ -1,0 +1,73 @@
+#pragma once
+// Plan: linked slices; cortex and scalp with a transparent coil; the list of targets.
+
+#include <QWidget>
+
+#include "facenav/scene/overlay_layer.h"
+#include "facenav/scene/site_layer.h"
+#include "plan/cortex_presenter.h"
+#include "plan/head_presenter.h"
+#include "plan/overlay_presenter.h"
+#include "plan/place_presenter.h"
+#include "plan/plan_presenter.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace facenav::ui {
+
+class LinkedViews;
+class PlacePanel;
+class ShownTools;
+class TargetTools;
+
+class PlanWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex, CaseModel& model,
+                QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* makeTargetsPanel();
+  TargetTools* makeTools(QWidget* parent);
+  void showOverlays();
+  void showSites();
+  QWidget* makeFields(QWidget* parent);
+  void showFields();
+  void filterTargets();
+  void addKeys();
+  void showCase();
+  void showPlan();
+  void showBrain();
+  void takeCortex();
+
+  PlanPresenter& presenter_;
+  PlacePresenter& place_;
+  CortexPresenter& cortex_;
+  CaseModel& model_;
+  HeadPresenter* head_;
+  OverlayPresenter* overlays_;
+  std::shared_ptr<const scene::CortexPicture> shown_cortex_;
+  LinkedViews* views_;
+  std::unique_ptr<scene::OverlayLayer> overlay_layer_;
+  std::unique_ptr<scene::SiteLayer> site_layer_;
+  ShownTools* shown_;
+  PlacePanel* place_panel_;
+  QListWidget* targets_;
+  QLabel* detail_;
+  QLineEdit *search_, *note_;
+  QString compared_with_;
+  QPushButton *undo_, *redo_, *remove_;
+  scene::BrainLook shown_look_ = scene::BrainLook::model;
+  bool is_drawing_brain_ = false;
+  double shown_peel_mm_ = -1.0;
+  bool is_outdated_ = false, is_filling_ = false;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,204 @@
+#include "prepare/worklist_page.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "shell/appearance.h"
+#include "shell/elided_label.h"
+#include "prepare/worklist_delegate.h"
+
+namespace facenav::ui {
+
+WorklistPage::WorklistPage(WorklistPresenter& presenter, PrepareQueue& queue, QWidget* parent)
+    : QWidget(parent),
+      presenter_(presenter),
+      queue_(queue),
+      table_(new WorklistTable(presenter, this)),
+      filter_(new WorklistFilter(*table_, this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(makeHead());
+  makeTable();
+  column->addWidget(view_, 1);
+  empty_ = new QLabel(this);
+  empty_->setObjectName("muted");
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  column->addWidget(empty_);
+  column->addWidget(makeActions());
+  connect(&presenter_, &WorklistPresenter::changed, this, &WorklistPage::showState);
+  connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, &WorklistPage::showState);
+  const auto chooseOne = [this] {
+    if (!view_->currentIndex().isValid() && filter_->rowCount() > 0) view_->selectRow(0);
+  };
+  connect(filter_, &QAbstractItemModel::modelReset, this, chooseOne);
+  connect(filter_, &QAbstractItemModel::rowsInserted, this, chooseOne);
+  showState();
+}
+
+QWidget* WorklistPage::makeHead() {
+  auto* head = new QWidget(this);
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  search_ = new QLineEdit(head);
+  search_->setPlaceholderText(tr("Type to filter: state, case, name, finding"));
+  search_->setToolTip(tr("every word must occur somewhere in the line (just type; Esc clears)"));
+  search_->setClearButtonEnabled(true);
+  search_->installEventFilter(this);
+  folder_ = new ElidedLabel(head);
+  folder_->setObjectName("muted");
+  auto* change = new QPushButton(tr("Cases folder\u2026"), head);
+  change->setToolTip(tr("where cases are kept and made (remembered)"));
+  row->addWidget(search_, 2);
+  row->addSpacing(12);
+  row->addWidget(folder_, 1);
+  row->addWidget(change);
+  connect(search_, &QLineEdit::textChanged, filter_, &WorklistFilter::setWords);
+  connect(change, &QPushButton::clicked, this, &WorklistPage::chooseFolder);
+  return head;
+}
+
+void WorklistPage::makeTable() {
+  view_ = new QTableView(this);
+  view_->setModel(filter_);
+  view_->setItemDelegate(new WorklistDelegate(view_));
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setEditTriggers(QAbstractItemView::EditKeyPressed);  // F2 edits the name; letters go to the filter
+  view_->setSortingEnabled(true);
+  view_->sortByColumn(WorklistTable::age, Qt::AscendingOrder);
+  view_->setShowGrid(false);
+  view_->setAlternatingRowColors(true);
+  view_->setTabKeyNavigation(false);
+  view_->setAccessibleName(tr("worklist"));
+  view_->verticalHeader()->hide();
+  view_->verticalHeader()->setDefaultSectionSize(sized(36));
+  view_->horizontalHeader()->setStretchLastSection(true);
+  view_->horizontalHeader()->setHighlightSections(false);
+  const int widths[] = {130, 220, 90, 90, 140};
+  for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, sized(widths[i]));
+  view_->installEventFilter(this);
+  connect(view_, &QTableView::doubleClicked, this, &WorklistPage::openChosen);
+}
+
+QWidget* WorklistPage::makeActions() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto button = [&](const QString& text, const QString& tip, auto action) {
+    auto* made = new QPushButton(text, box);
+    made->setToolTip(tip);
+    connect(made, &QPushButton::clicked, this, action);
+    return made;
+  };
+  open_ =
+      button(tr("Open"), tr("open the case to check it (Return, double click)"), [this] { openChosen(); });
+  open_->setObjectName("primary");
+  label_ = button(tr("Label\u2026"), tr("what you call the case here; kept with it, private to you (F2)"),
+                  [this] { labelChosen(); });
+  cancel_ = button(tr("Cancel"), tr("stop preparing; nothing half-done is kept (Del)"), [this] {
+    if (const auto* row_ = chosen()) queue_.cancel(row_->job_id);
+  });
+  retry_ = button(tr("Try again"), tr("put the line back into the queue (F5)"), [this] {
+    if (const auto* row_ = chosen()) queue_.retry(row_->job_id);
+  });
+  remove_ = button(tr("Take off the list"), tr("forget this input; no file is touched (Del)"), [this] {
+    if (const auto* row_ = chosen()) queue_.remove(row_->job_id);
+  });
+  summary_ = new ElidedLabel(box);
+  summary_->setObjectName("muted");
+  for (auto* each : {open_, label_, cancel_, retry_, remove_}) row->addWidget(each);
+  auto* by_patient = new QCheckBox(tr("label new cases with the patient's name"), box);
+  by_patient->setToolTip(tr("from the DICOM files; a case holds no name unless this is on (remembered)"));
+  by_patient->setChecked(queue_.labelsByPatient());
+  connect(by_patient, &QCheckBox::toggled, &queue_, &PrepareQueue::setLabelsByPatient);
+  row->addSpacing(12);
+  row->addWidget(by_patient);
+  row->addWidget(summary_, 1);
+  return box;
+}
+
+const WorklistRow* WorklistPage::chosen() const {
+  const auto index = view_->currentIndex();
+  return index.isValid() ? &filter_->row(index) : nullptr;
+}
+
+void WorklistPage::openChosen() {
+  const auto* row = chosen();
+  if (!row) return;
+  if (row->job_id == 0) {
+    emit caseChosen(row->case_folder);
+  } else if (const auto* job = queue_.job(row->job_id)) {
+    emit inputChosen(job->input);
+  }
+}
+
+void WorklistPage::labelChosen() {
+  const auto index = view_->currentIndex();
+  if (!index.isValid()) return;
+  const auto name = index.siblingAtColumn(WorklistTable::name);
+  view_->setFocus();
+  view_->setCurrentIndex(name);
+  view_->edit(name);
+}
+
+void WorklistPage::showState() {
+  const auto* row = chosen();
+  const auto* job = row && row->job_id ? queue_.job(row->job_id) : nullptr;
+  const bool is_pending = job && (job->state == JobState::queued || job->state == JobState::preparing);
+  open_->setEnabled(row != nullptr);
+  open_->setText(job ? tr("Show series") : tr("Open"));
+  label_->setVisible(row && row->can_be_labelled);
+  cancel_->setVisible(is_pending);
+  retry_->setVisible(job && !is_pending);
+  remove_->setVisible(job && !is_pending);
+  folder_->set(presenter_.folder());
+  const int cases = int(presenter_.rows().size()) - int(queue_.jobs().size());
+  summary_->set(QStringList{tr("cases: %1").arg(cases), queue_.summary()}.join(
+      queue_.summary().isEmpty() ? "" : "   "));
+  empty_->setText(!presenter_.problem().isEmpty()
+                      ? presenter_.problem()
+                      : tr("Drop a DICOM folder or a NIfTI file anywhere in the window: "
+                           "it is queued and prepared here."));
+  empty_->setVisible(presenter_.rows().empty() || !presenter_.problem().isEmpty());
+}
+
+void WorklistPage::chooseFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Cases folder"), presenter_.folder());
+  if (!folder.isEmpty()) presenter_.setFolder(folder);
+}
+
+/// Letters typed over the table go to the filter; arrows and Return typed in the filter go to the table.
+bool WorklistPage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  const auto* row = chosen();
+  if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) return openChosen(), true;
+  if (watched == search_) {
+    if (key->key() == Qt::Key_Escape) return search_->clear(), true;
+    if (key->key() != Qt::Key_Down) return false;
+    view_->setFocus();
+    return true;
+  }
+  if (row && row->can_be_labelled && key->key() == Qt::Key_F2) return labelChosen(), true;
+  if (row && row->job_id && key->key() == Qt::Key_F5) return queue_.retry(row->job_id), true;
+  if (row && row->job_id && key->key() == Qt::Key_Delete) {
+    cancel_->isVisible() ? queue_.cancel(row->job_id) : queue_.remove(row->job_id);
+    return true;
+  }
+  if (key->text().isEmpty() || !key->text().front().isPrint() || key->modifiers() & Qt::ControlModifier)
+    return false;
+  search_->setFocus();
+  search_->insert(key->text());
+  return true;
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,85 @@
+#include "review/chart_painter.h"
+
+#include <QPainter>
+
+namespace facenav::ui {
+namespace {
+
+using report::ChartShape;
+using report::Ink;
+
+QColor colourOf(Ink ink, ChartPaper paper) {
+  const bool is_dark = paper == ChartPaper::dark;
+  switch (ink) {
+    case Ink::words:
+    case Ink::limit:
+      return is_dark ? QColor(237, 241, 245) : QColor(29, 36, 48);
+    case Ink::axis:
+      return is_dark ? QColor(158, 171, 184) : QColor(29, 36, 48);
+    case Ink::grid:
+      return is_dark ? QColor(42, 51, 62) : QColor(204, 211, 220);
+    case Ink::on_target:
+    case Ink::bar:
+      return is_dark ? QColor(84, 178, 255) : QColor(0, 114, 178);
+    case Ink::outside:
+      return is_dark ? QColor(255, 160, 51) : QColor(213, 94, 0);
+    case Ink::excluded:
+      break;
+  }
+  return QColor(138, 147, 160);
+}
+
+void paintWords(QPainter& painter, const ChartShape& s) {
+  QFont font = painter.font();
+  font.setPixelSize(s.is_bold ? 13 : 11);
+  font.setBold(s.is_bold);
+  painter.setFont(font);
+  const QString words = QString::fromStdString(s.text);
+  const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(words);
+  const double back = s.anchor == ChartShape::Anchor::left     ? 0
+                      : s.anchor == ChartShape::Anchor::middle ? width / 2
+                                                               : width;
+  painter.drawText(QPointF(s.x - back, s.y), words);
+}
+
+void paintShape(QPainter& painter, const ChartShape& s, QColor colour) {
+  using Kind = ChartShape::Kind;
+  switch (s.kind) {
+    case Kind::line:
+      return painter.drawLine(QPointF(s.x, s.y), QPointF(s.x2, s.y2));
+    case Kind::box:
+      return painter.fillRect(QRectF(s.x, s.y, s.x2, s.y2), colour);
+    case Kind::frame:
+      return painter.drawRect(QRectF(s.x, s.y, s.x2, s.y2));
+    case Kind::disc:
+      colour.setAlphaF(0.6);
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colour);
+      return painter.drawEllipse(QPointF(s.x, s.y), s.x2, s.x2);
+    case Kind::circle:
+      return painter.drawEllipse(QPointF(s.x, s.y), s.x2, s.x2);
+    case Kind::square:
+      return painter.drawRect(QRectF(s.x - s.x2, s.y - s.x2, 2 * s.x2, 2 * s.x2));
+    case Kind::cross:
+      painter.drawLine(QPointF(s.x - s.x2, s.y - s.x2), QPointF(s.x + s.x2, s.y + s.x2));
+      return painter.drawLine(QPointF(s.x - s.x2, s.y + s.x2), QPointF(s.x + s.x2, s.y - s.x2));
+    case Kind::words:
+      return paintWords(painter, s);
+  }
+}
+
+}  // namespace
+
+void paintChart(QPainter& painter, const report::Chart& chart, ChartPaper paper) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const ChartShape& shape : chart.shapes) {
+    const QColor colour = colourOf(shape.ink, paper);
+    painter.setPen(QPen(colour, 1, shape.ink == Ink::limit ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(Qt::NoBrush);
+    paintShape(painter, shape, colour);
+  }
+  painter.restore();
+}
+
+}  // namespace facenav::ui

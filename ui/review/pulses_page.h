@@ -1,0 +1,51 @@
+#pragma once
+// PulsesPage: the pulses on cortex and scalp, coloured by a column that can be chosen, or the map of the
+// MEPs; below them the column's histogram and its drift over time.
+
+#include <QWidget>
+#include <memory>
+
+#include "facenav/scene/pulse_layer.h"
+#include "review/review_presenter.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace facenav::ui {
+
+class ChartView;
+class ColourLegend;
+class SceneView;
+
+class PulsesPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  PulsesPage(ReviewPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
+  ~PulsesPage() override;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* makeChoice();
+  void showCase();
+  void showSession();
+  void showPulses();
+  void showCharts();
+
+  ReviewPresenter& presenter_;
+  CaseModel& model_;
+  SceneView* scene_;
+  std::unique_ptr<scene::PulseLayer> layer_;  // before scene_ goes
+  QComboBox* column_;
+  QCheckBox *heat_, *skin_;
+  ColourLegend* legend_;
+  QLabel* map_words_;
+  ChartView *histogram_, *drift_;
+  QString placed_for_;  // session for which the view was turned to its target
+  bool is_outdated_ = true;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,100 @@
+#pragma once
+// ReviewPresenter: the sessions of the open case, and one of them with its pulses, map and charts. Files are
+// read on a worker thread; changes are written at once (review/review_editor.h) and everything is computed
+// again.
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "facenav/guidance/mep_map.h"
+#include "facenav/report/pulse_columns.h"
+#include "facenav/review/review_editor.h"
+#include "facenav/review/session_compare.h"
+#include "facenav/report/session_review.h"
+#include "shell/case_model.h"
+#include "shell/task_runner.h"
+
+namespace facenav::ui {
+
+/// A session as it is shown.
+struct ReviewedSession {
+  casefile::KeptSession kept;
+  std::shared_ptr<const surface::BrainModel> brain;  // may be null
+  std::vector<std::optional<Point<Mri>>> places;     // of the pulses on it; empty without one
+  std::optional<guidance::MepMap> map;               // on it
+};
+
+class ReviewPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ReviewPresenter(CaseModel& model, QObject* parent = nullptr);
+
+  /// Reads the list of sessions and the chosen one again.
+  void refresh();
+  /// Oldest first.
+  const std::vector<report::SessionSummary>& sessions() const { return sessions_; }
+  /// Chooses a session by its name; its pulses follow with sessionChanged().
+  void choose(const QString& name);
+  QString chosen() const { return chosen_; }
+  /// Null until it is read, or without one.
+  std::shared_ptr<const ReviewedSession> session() const { return session_; }
+  std::filesystem::path folderOf(const QString& name) const;
+  bool isReading() const { return reader_.isRunning(); }
+
+  report::PulseColumn column() const { return column_; }
+  void setColumn(report::PulseColumn column);
+  /// Number of the pulse that is marked in all views; 0: none.
+  int marked() const { return marked_; }
+  void mark(int number);
+  /// The pulse whose place on the brain (or coil's centre) is nearest to a click, no further than 6 mm.
+  void markNear(const Point<Mri>& point, bool is_brain);
+
+  // Changes; refused() says why one could not be made.
+  void exclude(const std::vector<int>& numbers, const QString& reason, const QString& by);
+  void include(const std::vector<int>& numbers, const QString& by);
+  /// Empty: not known.
+  void typeMep(int number, const QString& typed);
+  /// `offset_s`: of the clocks; nothing: it is sought. said() tells what was found.
+  void importMeps(const QString& csv, std::optional<double> offset_s);
+  /// A file that a session at home sent back becomes a session of the case, and is chosen. said() tells what
+  /// was added.
+  void addReturned(const QString& file);
+  void undo();
+  void redo();
+  const steps::ReviewEditor& editor() const { return editor_; }
+
+  /// Writes report.html, report.pdf and pulses.csv into the session's folder, on this thread (it draws).
+  void makeReport(bool has_name);
+  /// The chosen session against another one; nothing if that cannot be read (refused() says why).
+  std::optional<steps::SessionComparison> compareWith(const QString& earlier);
+
+ signals:
+  void sessionsChanged();
+  /// Another session, or its numbers.
+  void sessionChanged();
+  void columnChanged();
+  void markedChanged();
+  void refused(const QString& words);
+  void said(const QString& words);
+
+ private:
+  void readList();
+  void readSession();
+  void goOn();
+  template <class Change>
+  void attempt(Change change);
+
+  CaseModel& model_;
+  TaskRunner reader_;
+  steps::ReviewEditor editor_;
+  std::vector<report::SessionSummary> sessions_;
+  std::shared_ptr<const ReviewedSession> session_;
+  QString chosen_;
+  report::PulseColumn column_ = report::PulseColumn::distance;
+  int marked_ = 0;
+  bool is_list_outdated_ = false, is_session_outdated_ = false;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,124 @@
+#include "review/review_workspace.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "review/compare_page.h"
+#include "review/pulses_page.h"
+#include "review/replay_page.h"
+#include "review/sessions_panel.h"
+
+namespace facenav::ui {
+
+ReviewWorkspace::ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& replay, CaseModel& model,
+                                 QWidget* parent)
+    : QWidget(parent), presenter_(presenter), model_(model), pages_(new QStackedWidget(this)) {
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  split->setChildrenCollapsible(false);
+  split->addWidget(new SessionsPanel(presenter_, split));
+  auto* right = new QWidget(split);
+  auto* column = new QVBoxLayout(right);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(makeHead());
+  pages_->addWidget(new PulsesPage(presenter_, model_, pages_));
+  pages_->addWidget(new ReplayPage(replay, model_, pages_));
+  pages_->addWidget(new ComparePage(presenter_, pages_));
+  column->addWidget(pages_, 1);
+  split->addWidget(right);
+  split->setStretchFactor(0, 2);
+  split->setStretchFactor(1, 3);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 10, 10, 10);
+  row->addWidget(split);
+  connect(&presenter_, &ReviewPresenter::sessionChanged, this, &ReviewWorkspace::showState);
+  connect(&model_, &CaseModel::opened, this, [this] {
+    if (isVisible()) presenter_.refresh();
+  });
+  connect(&model_, &CaseModel::labelChanged, this, &ReviewWorkspace::showState);
+  setPage(ReviewPage::pulses);
+  showState();
+}
+
+QWidget* ReviewWorkspace::makeHead() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  tabs_ = new QButtonGroup(this);
+  const QString names[3] = {tr("Pulses"), tr("Replay"), tr("Compare")};
+  const QString tips[3] = {tr("pulses on cortex and scalp, charts (Alt+1)"),
+                           tr("the session frame by frame (Alt+2)"), tr("against another session (Alt+3)")};
+  for (int i = 0; i < 3; ++i) {
+    auto* button = new QPushButton(names[i], bar);
+    button->setObjectName("tool");
+    button->setCheckable(true);
+    button->setToolTip(tips[i]);
+    button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));
+    button->ensurePolished();
+    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+    tabs_->addButton(button, i);
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  meps_ = new QPushButton(tr("MEPs\u2026"), bar);
+  meps_->setToolTip(
+      tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
+  from_home_ = new QPushButton(tr("From home\u2026"), bar);
+  from_home_->setToolTip(tr("add the file that a session at home sent back"));
+  with_name_ = new QCheckBox(tr("with label"), bar);
+  with_name_->setToolTip(tr("adds the case's label, which may be the patient's name, to the report"));
+  report_ = new QPushButton(tr("Report"), bar);
+  report_->setObjectName("primary");
+  report_->setToolTip(tr("writes report.pdf, report.html and pulses.csv into the session's folder"));
+  for (QWidget* widget : {static_cast<QWidget*>(from_home_), static_cast<QWidget*>(meps_),
+                          static_cast<QWidget*>(with_name_), static_cast<QWidget*>(report_)})
+    row->addWidget(widget);
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int id) { setPage(ReviewPage(id)); });
+  connect(meps_, &QPushButton::clicked, this, &ReviewWorkspace::chooseMeps);
+  connect(from_home_, &QPushButton::clicked, this, [this] {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("The file that came back from home"), {}, tr("ZIP (*.zip)"));
+    if (!file.isEmpty()) presenter_.addReturned(file);
+  });
+  connect(report_, &QPushButton::clicked, this, [this] { presenter_.makeReport(with_name_->isChecked()); });
+  return bar;
+}
+
+void ReviewWorkspace::setPage(ReviewPage page) {
+  tabs_->button(int(page))->setChecked(true);
+  pages_->setCurrentIndex(int(page));
+}
+
+/// The offset is asked for only if the user knows it; an empty field lets it be found.
+void ReviewWorkspace::chooseMeps() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("MEPs by time"), {}, tr("CSV (*.csv)"));
+  if (file.isEmpty()) return;
+  bool is_given = false;
+  const QString words = QInputDialog::getText(
+      this, tr("Offset of the clocks"), tr("Seconds from the file's clock to the session's; empty: find it"),
+      QLineEdit::Normal, {}, &is_given);
+  if (!is_given) return;
+  bool is_number = false;
+  const double offset_s = words.trimmed().replace(',', '.').toDouble(&is_number);
+  presenter_.importMeps(file, is_number ? std::optional(offset_s) : std::nullopt);
+}
+
+void ReviewWorkspace::showState() {
+  const bool has_session = presenter_.session() != nullptr;
+  meps_->setEnabled(has_session);
+  report_->setEnabled(has_session);
+  from_home_->setEnabled(model_.isOpen());
+  const bool has_label = model_.isOpen() && !model_.current().label.isEmpty();
+  with_name_->setVisible(has_label);
+  if (!has_label) with_name_->setChecked(false);
+}
+
+void ReviewWorkspace::showEvent(QShowEvent*) { presenter_.refresh(); }
+
+}  // namespace facenav::ui

@@ -1,0 +1,43 @@
+#pragma once
+// Review: the sessions of the case, the pulses of one of them, and three pages beside them: pulses in 3-D
+// with charts, replay, comparison of two sessions.
+
+#include <QWidget>
+
+#include "review/replay_presenter.h"
+#include "review/review_presenter.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QPushButton;
+class QStackedWidget;
+
+namespace facenav::ui {
+
+enum class ReviewPage { pulses, replay, compare };
+
+class ReviewWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& replay, CaseModel& model,
+                  QWidget* parent = nullptr);
+  void setPage(ReviewPage page);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* makeHead();
+  void chooseMeps();
+  void showState();
+
+  ReviewPresenter& presenter_;
+  CaseModel& model_;
+  QStackedWidget* pages_;
+  QButtonGroup* tabs_;
+  QPushButton *from_home_, *meps_, *report_;
+  QCheckBox* with_name_;
+};
+
+}  // namespace facenav::ui

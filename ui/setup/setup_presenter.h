@@ -1,0 +1,117 @@
+#pragma once
+// SetupPresenter: the set-up of a camera pair in four steps (setup/rig_setup.h): which two cameras, the
+// steps, and the rig that is kept under a name at the end. A kept rig is opened at its check.
+
+#include <QObject>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "facenav/coil_library/coil_library.h"
+#include "facenav/setup/rig_setup.h"
+#include "shell/retirement.h"
+#include "shell/services.h"
+#include "shell/task_runner.h"
+
+namespace facenav::ui {
+
+class SetupPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  SetupPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
+  ~SetupPresenter() override;
+
+  // Which cameras.
+  void lookForCameras();
+  const std::vector<capture::FoundCamera>& devices() const { return devices_; }
+  /// What to know or do about them; empty: nothing.
+  QString deviceWords() const;
+  QString left() const { return left_; }
+  QString right() const { return right_; }
+  void choose(const QString& left, const QString& right);
+  void swapSides();
+  static QStringList sizes();
+  void chooseSize(const QString& size) { size_ = size; }
+  QString chosenSize() const { return size_; }
+  bool canOpen() const;
+  void open();
+  QStringList rigNames() const;
+  /// Opens a kept rig's cameras and checks it.
+  void openKept(const QString& name);
+  bool isOpen() const { return setup_ != nullptr; }
+
+  // The steps.
+  steps::SetupStep step() const { return step_; }
+  void go(steps::SetupStep step);
+  /// False: something before it is missing.
+  bool canGo(steps::SetupStep step) const;
+  /// What the newest pair shows; a view without a picture before the first.
+  std::shared_ptr<const steps::SetupView> view() const;
+  /// One sentence: of the running step, or what must come first.
+  QString sentence() const;
+
+  // Calibrate.
+  const cameras::Board& board() const { return board_; }
+  void setBoard(int columns, int rows, double square_mm);
+  void finishViews();
+  void takeMoreViews();
+  /// All anew: also the two-minute repair of a bar that was bumped.
+  void repeatViews();
+  /// "+-0.42 mm at 600 mm"; empty: not calibrated.
+  QString resultWords() const;
+  bool printBoard(const QString& file);
+
+  // Keep.
+  QString name() const { return name_; }
+  void setName(const QString& name) { name_ = name; }
+  /// Only a calibration whose check holds is kept. `replaces`: a rig of this name is replaced.
+  bool keep(bool replaces);
+  bool isKept() const { return is_kept_; }
+  /// Stores the check of a kept rig that was opened, once it is there. Call it now and then.
+  void noteCheckOfKept();
+  bool isNameTaken() const;
+
+  // Coil.
+  QStringList coilNames() const;
+  void chooseCoil(const QString& name);
+  QString coilName() const { return coil_name_; }
+  void startPivots();
+  void startJig(const QString& file);
+  /// Measures the cameras' rolling shutter on the waved coil.
+  void startWave();
+  /// Keeps with the pair what the waved coil showed, once it is there. Call it now and then.
+  void keepRowTimes();
+  /// The calibrated coil into the library, under the chosen name.
+  bool keepCoil();
+
+  /// Closes the cameras.
+  void close();
+
+ signals:
+  void changed();
+  void refused(const QString& words);
+  void kept(const QString& name);
+
+ private:
+  void begin(std::unique_ptr<capture::FrameSource> source, std::optional<cameras::StereoRig> rig);
+  const coil_library::LibraryCoil* coil() const;
+  capture::NamedRig named() const;
+
+  const Services& services_;
+  TaskRunner& tasks_;
+  std::vector<capture::FoundCamera> devices_;
+  QString left_, right_, size_, name_, coil_name_;
+  cameras::Board board_{9, 6, 25.0};
+  std::optional<capture::RigCamera> left_camera_, right_camera_;
+  std::vector<coil_library::LibraryCoil> coils_;
+  std::shared_ptr<steps::RigSetup> setup_;
+  steps::SetupStep step_ = steps::SetupStep::place;
+  QString opened_rig_;  // a kept one, as it was kept; empty: none, or it is being repaired
+  std::string noted_;   // words of the check that was stored
+  bool is_kept_ = false;
+  std::optional<std::array<double, 2>> kept_row_times_s_;
+  Retirement retirement_;
+};
+
+}  // namespace facenav::ui

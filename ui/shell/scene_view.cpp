@@ -1,0 +1,156 @@
+#include "shell/scene_view.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPainter>
+#include <utility>
+
+#include "shell/appearance.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr double kFluid_ms = 40.0;  // faster rendering needs no simplified scene
+constexpr int kRest_ms = 300;
+
+}  // namespace
+
+SceneView::SceneView(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent), scene_(std::make_unique<scene::NavigationScene>()) {
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  setRenderWindow(window);
+  scene_->setTextScale(sized(100) / 100.0);
+  scene_->attach(window);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor()->SetInteractorStyle(style);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    is_quick_ = false;
+    scene_->setQuick(false);
+    refresh();
+  });
+  line_ = new QWidget(this);
+  line_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  line_->installEventFilter(this);
+  line_->hide();
+  setMinimumSize(200, 160);
+  setToolTip(tr("left: rotate   middle: pan   right: zoom   click: choose a point"));
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::show(const LoadedCase& loaded) {
+  scene_->setScalp(loaded.scalp->mesh);
+  if (loaded.brain)
+    scene_->setBrain(*loaded.brain);
+  else
+    scene_->clearBrain();
+  scene_->setVolume(*loaded.mri);
+  refresh();
+}
+
+void SceneView::refresh() {
+  if (!isVisible()) return;
+  QElapsedTimer timer;
+  timer.start();
+  renderWindow()->Render();
+  if (!is_quick_) whole_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+  emit drawn();
+}
+
+/// Switches to a simplified scene until the motion ends, if full rendering is slow here. Returns true if so.
+bool SceneView::drawsQuickly(bool is_skin_shown) {
+  if (!is_quick_ && whole_ms_ < kFluid_ms) return false;
+  rest_.start();
+  if (!is_quick_ || is_skin_shown_ != is_skin_shown) scene_->setQuick(true, is_skin_shown);
+  is_skin_shown_ = is_skin_shown;
+  return is_quick_ = true;
+}
+
+void SceneView::refreshQuickly(bool is_skin_shown) {
+  drawsQuickly(is_skin_shown);
+  refresh();
+}
+
+void SceneView::shareCamera(SceneView& other) {
+  scene_->shareCamera(other.scene());
+  connect(&other, &SceneView::turned, this, &SceneView::refreshMoving);
+  connect(this, &SceneView::turned, &other, &SceneView::refreshMoving);
+}
+
+void SceneView::setDrawing(bool is_drawing) {
+  if (draws_ == is_drawing) return;
+  draws_ = is_drawing;
+  outline_.clear();
+  line_->setVisible(is_drawing);
+  setCursor(is_drawing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// Draws the unfinished line over the rendered image.
+bool SceneView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != line_ || event->type() != QEvent::Paint)
+    return QVTKOpenGLNativeWidget::eventFilter(watched, event);
+  QPainter painter(line_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::white, 2));
+  painter.drawPolyline(outline_);
+  painter.setPen(QPen(Qt::white, 1, Qt::DashLine));
+  if (outline_.size() > 2) painter.drawLine(outline_.back(), outline_.front());
+  return true;
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (draws_ && event->buttons() == Qt::LeftButton && !outline_.isEmpty()) {
+    outline_ << event->pos();
+    return line_->update();
+  }
+  if (event->buttons() != Qt::NoButton) drawsQuickly(true);
+  QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+  if (event->buttons() != Qt::NoButton) emit turned();
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  QVTKOpenGLNativeWidget::wheelEvent(event);
+  emit turned();
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  pressed_at_ = event->pos();
+  if (draws_ && event->button() == Qt::LeftButton) {
+    outline_ = QPolygon() << event->pos();
+    return line_->update();
+  }
+  QVTKOpenGLNativeWidget::mousePressEvent(event);
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (draws_ && event->button() == Qt::LeftButton) {
+    std::vector<Eigen::Vector2d> outline;
+    for (const QPoint& p : std::exchange(outline_, {}))
+      outline.emplace_back(2.0 * p.x() / width() - 1.0, 1.0 - 2.0 * p.y() / height());
+    line_->update();
+    if (outline.size() > 2) emit outlineDrawn(outline);
+    return;
+  }
+  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
+  if (event->button() != Qt::LeftButton || (event->pos() - pressed_at_).manhattanLength() > 3) return;
+  const double ratio = devicePixelRatioF();
+  const auto pick =
+      scene_->pick(int(event->pos().x() * ratio), int((height() - 1 - event->pos().y()) * ratio));
+  if (pick) emit picked(pick->point.mm.x(), pick->point.mm.y(), pick->point.mm.z(), pick->is_brain);
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  line_->setGeometry(rect());
+  scene_->attach(renderWindow());  // keeps the shape of the head icon
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,67 @@
+#include "shell/shown_tools.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+#include <QWidgetAction>
+
+#include "plan/dose_panel.h"
+#include "plan/overlays_panel.h"
+
+namespace facenav::ui {
+
+ShownTools::ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, QWidget* parent)
+    : QFrame(parent), row_(new QHBoxLayout(this)) {
+  row_->setContentsMargins(0, 0, 0, 0);
+  row_->setSpacing(4);
+  addMenu(tr("Overlays"), tr("maps, masks, tracts and surfaces of other programs over the MRI"),
+          new OverlaysPanel(overlays));
+  addMenu(tr("Dose"), tr("protocol, pulses of the target, and the coil"), new DosePanel(plan));
+  slices_ = addSwitch(tr("Coil"),
+                      tr("the MRI along the axis of the target's coil, along and across its handle (M)"),
+                      "plan/coil_slices_shown", true);
+  slices_->setShortcut(Qt::Key_M);
+  sites_ =
+      addSwitch(tr("EEG"), tr("the sites of the 10-20 system on the scalp"), "plan/eeg_sites_shown", false);
+  connect(slices_, &QPushButton::toggled, this, &ShownTools::coilSlicesShown);
+  connect(sites_, &QPushButton::toggled, this, &ShownTools::sitesShown);
+  row_->addStretch(1);
+}
+
+bool ShownTools::showsCoilSlices() const { return slices_->isChecked(); }
+bool ShownTools::showsSites() const { return sites_->isChecked(); }
+
+template <class Chooser>
+void ShownTools::addMenu(const QString& words, const QString& tip, Chooser* panel) {
+  auto* menu = new QMenu(this);
+  auto* action = new QWidgetAction(menu);
+  action->setDefaultWidget(panel);
+  menu->addAction(action);
+  connect(panel, &Chooser::choosing, menu, &QMenu::close);
+  auto* button = new QToolButton(this);
+  button->setText(words);
+  button->setToolTip(tip);
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setObjectName("tool");
+  row_->addWidget(button);
+}
+
+/// A button that stays down.
+QPushButton* ShownTools::addSwitch(const QString& words, const QString& tip, const char* setting,
+                                   bool is_on_at_first) {
+  auto* button = new QPushButton(words, this);
+  button->setObjectName("tool");
+  button->setCheckable(true);
+  button->setToolTip(tip);
+  button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+  button->setChecked(QSettings().value(setting, is_on_at_first).toBool());
+  connect(button, &QPushButton::toggled, this,
+          [setting](bool is_on) { QSettings().setValue(setting, is_on); });
+  row_->addWidget(button);
+  return button;
+}
+
+}  // namespace facenav::ui

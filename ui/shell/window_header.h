@@ -1,0 +1,32 @@
+#pragma once
+// WindowHeader: the strip over every workspace: the program's name, the open case and, in Treat, the states
+// of cameras, face and coil with the frame's timing.
+
+#include <QFrame>
+
+#include "treat/read_out.h"
+
+class QLabel;
+
+namespace facenav::ui {
+
+class ElidedLabel;
+class StatusChip;
+
+class WindowHeader : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit WindowHeader(QWidget* parent = nullptr);
+  void setCaseWords(const QString& words);
+  void setLive(const ReadOut& read_out);
+  /// The live states are shown in Treat only.
+  void showLiveStates(bool are_shown);
+
+ private:
+  ElidedLabel* case_words_;
+  StatusChip *cameras_, *face_, *coil_;
+  QLabel* timing_;
+};
+
+}  // namespace facenav::ui

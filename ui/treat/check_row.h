@@ -1,0 +1,29 @@
+#pragma once
+// CheckRow: what is known of the registration, in one line, and the button that measures it again.
+
+#include <QWidget>
+
+#include "treat/check_presenter.h"
+
+class QPushButton;
+
+namespace facenav::ui {
+
+class ElidedLabel;
+
+class CheckRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CheckRow(CheckPresenter& check, TreatPresenter& treat, QWidget* parent = nullptr);
+
+ private:
+  void showState();
+
+  CheckPresenter& check_;
+  TreatPresenter& treat_;
+  ElidedLabel* words_;
+  QPushButton* button_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,59 @@
+#pragma once
+// MotorPresenter: the motor hotspot and threshold as the Treat page shows them: a hunting grid of sites, one
+// answer of the muscle a pulse, the search for the threshold (treat/motor_threshold.h, hotspot.h).
+
+#include <QObject>
+
+#include "facenav/treat/hotspot.h"
+#include "facenav/treat/motor_threshold.h"
+#include "treat/treat_presenter.h"
+
+namespace facenav::ui {
+
+class MotorPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  MotorPresenter(TreatPresenter& treat, CaseModel& model, QObject* parent = nullptr);
+
+  /// The muscle's answer to the newest pulse: kept with the pulse, and counted by the search if one runs.
+  void answer(bool has_response);
+  void answerWithMep(double mep_uv);
+
+  /// Goes on with an unfinished search of the case, or begins one. The intensity becomes its next one.
+  void search(stimulation::ThresholdMethod method, const QString& muscle);
+  void endSearch();
+  /// The search's last answer.
+  void takeBack();
+  bool isSearching() const { return search_ != nullptr; }
+  /// Null: none runs.
+  const stimulation::ThresholdState* state() const { return search_ ? &search_->state() : nullptr; }
+  /// "52.3 % (95 % interval ..), bayes, 9 responses of 18 pulses; set the output to 52 %", or what to do.
+  QString thresholdWords() const;
+
+  /// Sites round the chosen target, its site first; guides to it.
+  void hunt();
+  void endHunt();
+  /// To the next site, or back by one.
+  void nextSite(int step = 1);
+  bool isHunting() const { return !sites_.empty(); }
+  /// "site 3 of 25: M1 hand L 2/3"; empty: no hunt.
+  QString siteWords() const;
+
+ signals:
+  void changed();
+  void refused(const QString& words);
+
+ private:
+  template <class Keep>
+  void take(Keep keep);
+  void showIntensity();
+
+  TreatPresenter& treat_;
+  CaseModel& model_;
+  std::unique_ptr<steps::MotorThreshold> search_;
+  std::vector<guidance::Target> sites_;
+  std::size_t site_ = 0;
+};
+
+}  // namespace facenav::ui

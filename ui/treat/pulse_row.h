@@ -1,0 +1,41 @@
+#pragma once
+// PulseRow: the pulses of the session by their verdict, its time, what was wrong with the last pulse, and the
+// button that counts one.
+
+#include <QWidget>
+
+#include "treat/session_sounds.h"
+#include "treat/treat_presenter.h"
+
+class QLabel;
+class QPushButton;
+
+namespace facenav::ui {
+
+class ElidedLabel;
+
+class PulseRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent = nullptr);
+
+  /// A pulse now.
+  void take();
+  /// Called about 30 times a second.
+  void refresh();
+
+ private:
+  QString pulseWords() const;
+  void showLastPulse();
+
+  TreatPresenter& treat_;
+  SessionSounds& sounds_;
+  ElidedLabel* pulses_;
+  QLabel* time_;
+  QPushButton* pulse_;
+  ElidedLabel* last_pulse_;
+  int shown_pulse_ = 0;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,97 @@
+#include "treat/read_out.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "facenav/geometry/rotation.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr double kApart_ms = 3.0;  // shown from here on: 0.3 mm for a head that moves at 100 mm/s
+
+QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
+
+template <class T>
+Chip chip(const QString& name, const Tracked<T>& tracked, const std::string& loss) {
+  if (!tracked) return {tr("%1 LOST").arg(name), QString::fromStdString(loss), Level::lost};
+  const bool is_weak = tracked.quality() < 0.4;
+  return {is_weak ? tr("%1 weak").arg(name) : tr("%1 tracked").arg(name),
+          tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
+}
+
+/// One decimal below 100 mm, none above, so that the figure never needs more width.
+QString millimetres(double value_mm) {
+  return QString::number(value_mm, 'f', std::abs(value_mm) < 99.95 ? 1 : 0);
+}
+
+QString whole(double degrees, bool is_signed) {
+  const long value = std::lround(degrees);
+  return (is_signed && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value) + QChar(0x00b0);
+}
+
+/// The gap by both poses, the field that it costs, and the gap that the cameras see beside the coil.
+void addGap(const guidance::CoilGap& gap, ReadOut& out) {
+  if (!gap.by_poses_mm) return;
+  out.gap = tr("gap %1 mm, field \u2212%2 %")
+                .arg(*gap.by_poses_mm, 0, 'f', 1)
+                .arg(guidance::fieldLost_pct(*gap.by_poses_mm), 0, 'f', 0);
+  out.gap_tip =
+      tr("contact face's centre above the MRI's skin, by the poses of head and coil; the field is lost "
+         "against a coil that touches the skin");
+  if (const auto seen_mm = gap.byStereo_mm()) {
+    out.gap += tr("; seen %1 mm").arg(*seen_mm, 0, 'f', 1);
+    out.gap_tip += tr("; seen: above the surface (skin or hair) that both cameras measure beside the coil");
+  } else if (!gap.unseen.empty()) {
+    out.gap_tip += "; " + QString::fromStdString(gap.unseen);
+  }
+  out.gap_disagrees = gap.disagrees();
+  if (!out.gap_disagrees) return;
+  out.gap = "! " + out.gap;
+  out.gap_tip = QString::fromStdString(disagreementInWords(gap)) + ". " + out.gap_tip;
+}
+
+}  // namespace
+
+ReadOut makeReadOut(const session::NavigationState& state) {
+  ReadOut out;
+  const QString dash(QChar(0x2013));
+  out.across = out.depth = out.tilt = out.twist = dash;
+  const bool has_images = state.images != nullptr && state.images->absence.empty() && state.failure.empty();
+  const bool is_stale =
+      !state.head && (state.head.reason() == LostReason::stale || state.head.reason() == LostReason::camera);
+  out.cameras = {has_images && !is_stale ? tr("CAMERAS on") : tr("CAMERAS no images"), QString(),
+                 has_images && !is_stale ? Level::good : Level::lost};
+  const double apart_ms = 1e3 * std::abs(state.exposure_offset.right_late_s);
+  if (out.cameras.level == Level::good && apart_ms >= kApart_ms)
+    out.cameras = {tr("CAMERAS %1 ms apart").arg(apart_ms, 0, 'f', 0),
+                   tr("one camera exposes later than the other; the head's motion in between is allowed for, "
+                      "but a trigger for both is better"),
+                   Level::caution};
+  out.face = chip(tr("FACE"), state.head, session::headLossInWords(state));
+  out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
+  out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
+  addGap(state.gap, out);
+  const auto& g = state.guidance;
+  const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
+  if (has_values) {
+    out.across = millimetres(g.values->lateral_mm);
+    const double depth_mm = std::abs(g.values->depth_mm) < 0.05 ? 0.0 : g.values->depth_mm;
+    out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + millimetres(depth_mm);
+    out.tilt = whole(g.values->tilt_rad * kDegPerRad, false);
+    out.twist = whole(g.values->twist_rad * kDegPerRad, true);
+    if (g.predicted_error_mm > 0)
+      out.predicted = tr("\u00b1%1 mm at the target").arg(g.predicted_error_mm, 0, 'f', 1);
+    out.level = g.state == guidance::State::on_target ? Level::good : Level::caution;
+    const QString words = QString::fromStdString(g.instruction);
+    out.instruction = out.level == Level::good ? tr("ON TARGET: %1").arg(words) : tr("ADJUST: %1").arg(words);
+  } else {
+    const QString loss = QString::fromStdString(session::lossInWords(state));
+    out.instruction = !loss.isEmpty()        ? loss
+                      : state.target.empty() ? tr("choose a target")
+                                             : QString::fromStdString(g.instruction);
+  }
+  return out;
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,46 @@
+#include "treat/session_end.h"
+
+#include <future>
+
+#include "facenav/report/session_report.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
+
+}  // namespace
+
+void endBeside(Retirement& retirement, std::shared_ptr<steps::Treatment> treatment) {
+  endBeside(
+      retirement, [treatment] { treatment->end(); }, [treatment] { treatment->keepReport(); });
+}
+
+void endBeside(Retirement& retirement, std::function<void()> end, std::function<void()> report) {
+  auto has_ended = std::make_shared<std::promise<void>>();
+  retirement.add(
+      [report = std::move(report), ended = has_ended->get_future().share()] {
+        ended.wait();
+        report();
+      },
+      std::chrono::milliseconds(0));
+  retirement.add(
+      [end = std::move(end), has_ended] {
+        try {
+          end();
+        } catch (...) {
+          has_ended->set_value();  // the report waits for it, and the window for the report
+          throw;
+        }
+        has_ended->set_value();
+      },
+      kPatience);
+}
+
+void reportBeside(Retirement& retirement, const std::filesystem::path& case_folder,
+                  const std::filesystem::path& session) {
+  retirement.add([case_folder, session] { report::writeSessionReport(case_folder, session); },
+                 std::chrono::milliseconds(0));
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,41 @@
+#pragma once
+// SessionPanel: what belongs to the session and not to the coil: pain before and after, adverse events,
+// pauses with their reason, where pulses come from, the sounds, and the other screens.
+
+#include <QFrame>
+
+#include "treat/session_sounds.h"
+#include "treat/treat_presenter.h"
+#include "shell/second_screens.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace facenav::ui {
+
+class SessionPanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondScreens& screens,
+               ProjectorPresenter& projector, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makePain();
+  QWidget* makeAdverse();
+  QWidget* makePause();
+  QWidget* makeSource();
+  QWidget* makeSound();
+  void showState();
+
+  TreatPresenter& treat_;
+  SessionSounds& sounds_;
+  QComboBox* reason_;
+  QPushButton* pause_;
+  QLineEdit* source_;
+  QCheckBox* sound_;
+};
+
+}  // namespace facenav::ui

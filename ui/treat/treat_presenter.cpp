@@ -1,0 +1,385 @@
+#include "treat/treat_presenter.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <QTime>
+
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/error.h"
+#include "facenav/treat/session_return.h"
+#include "facenav/prepare/sign_off_gate.h"
+#include "facenav/core/software_version.h"
+#include "treat/recording_words.h"
+#include "treat/session_end.h"
+
+namespace facenav::ui {
+namespace {
+
+const char* const kPulseSource = "treat/pulses";
+
+}  // namespace
+
+TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent,
+                               pictures::OverlayWorker::Draw draw)
+    : QObject(parent),
+      services_(services),
+      model_(model),
+      tasks_(tasks),
+      cameras_(services, tasks),
+      pulse_source_(QSettings().value(kPulseSource).toString()),
+      overlays_(
+          [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
+            QMetaObject::invokeMethod(
+                this, [this, drawn] { emit overlayDrawn(drawn); }, Qt::QueuedConnection);
+          },
+          std::move(draw)) {
+  connect(&model_, &CaseModel::opened, this, &TreatPresenter::forgetCase);
+  cameras_.useCoilOf([this] { return coil_.model(); });
+  connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
+  connect(&cameras_, &CamerasPresenter::closed, this, &TreatPresenter::forgetCameras);
+  connect(&cameras_, &CamerasPresenter::captureTaken, this, [this] {
+    recording_->capture = cameras_.capture();
+    aligned_ = {};
+    emit changed();
+  });
+  connect(&cameras_, &CamerasPresenter::refused, this, &TreatPresenter::refused);
+  connect(&model_, &CaseModel::planChanged, this, [this] {
+    if (!target())
+      target_ = model_.current().plan.targets.empty()
+                    ? QString()
+                    : QString::fromStdString(model_.current().plan.targets.front().name);
+    chooseTarget(target_);
+  });
+}
+
+TreatPresenter::~TreatPresenter() {
+  if (treatment_) endSession();
+}
+
+/// Another case may be another patient: no picture and no alignment of before is used for it.
+void TreatPresenter::forgetCase() {
+  stop();
+  aligned_ = {};
+  if (is_live_) recording_->capture.reset();
+  cameras_.forgetPictures();
+  site_.reset();
+  last_session_.clear();
+  const auto& targets = model_.current().plan.targets;
+  target_ = targets.empty() ? QString() : QString::fromStdString(targets.front().name);
+  emit changed();
+}
+
+void TreatPresenter::openRecording(const QString& folder) {
+  tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
+    auto film = std::make_shared<steps::TreatmentFilm>(
+        steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
+    return [this, film] {
+      stop();
+      recording_ = film->recording;
+      is_live_ = false;
+      rig_fault_.clear();
+      coil_.useFilm(*film);
+      aligned_ = {};
+      emit changed();
+      cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
+    };
+  });
+}
+
+/// The old alignment is no longer valid.
+void TreatPresenter::useCameras() {
+  stop();
+  recording_ = capture::Recording{};
+  recording_->rig = cameras_.lastOpened()->rig;
+  is_live_ = true;
+  coil_.useRemembered();
+  aligned_ = {};
+  rig_fault_.clear();
+  emit changed();
+}
+
+/// They may be moved or calibrated anew now: what was seen with them is no longer valid.
+void TreatPresenter::forgetCameras() {
+  if (!is_live_ || isRunning()) return;
+  recording_.reset();
+  is_live_ = false;
+  aligned_ = {};
+  emit changed();
+}
+
+void TreatPresenter::chooseCoil(const QString& name) {
+  try {
+    coil_.choose(name, [this](const coil_tracking::CoilModel& coil) {
+      if (isRunning()) treatment_->chooseCoil(coil);
+    });
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+  emit changed();
+}
+
+bool TreatPresenter::canAlign() const {
+  return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture) &&
+         withheldWords().isEmpty() && otherChoiceWords().isEmpty();
+}
+
+bool TreatPresenter::refuseCameras() {
+  const QString fault = withheldWords().isEmpty() ? otherChoiceWords() : withheldWords();
+  if (!fault.isEmpty()) emit refused(fault);
+  return !fault.isEmpty();
+}
+
+void TreatPresenter::align(bool then_start) {
+  if (!canAlign()) {  // live cameras need current images, never an old capture
+    if (refuseCameras()) return;
+    if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
+    return;
+  }
+  tasks_.start(
+      tr("Aligning the head"),
+      [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
+       recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+        steps::requireSignOff(store, is_overridden);
+        return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
+          use(aligned);
+          emit changed();
+          if (then_start) start();
+        };
+      });
+}
+
+void TreatPresenter::use(const AlignedHead& aligned) {
+  aligned_ = aligned;
+  is_judged_wrong_ = false;
+  shows_skin_ = true;
+}
+
+void TreatPresenter::start() {
+  if (!recording_ || !isAligned() || isRunning() || tasks_.isRunning() || !mayTreat()) return;
+  startWith({});
+}
+
+/// The face as it was at the alignment of that session counts, not as it is now.
+void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
+  if (!canGoOn()) {
+    refuseCameras();
+    return;
+  }
+  auto recording = *recording_;
+  recording.capture.reset();
+  tasks_.start(tr("Going on with the session"),
+               [this, session, recording, store = model_.current().store, coil = coil_.model(),
+                is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                 steps::requireSignOff(store, is_overridden);
+                 const auto folder = steps::sessionToGoOnWith(store.folder(), session.name).folder;
+                 return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
+                         target = QString::fromStdString(session.target)] {
+                   use(aligned);
+                   chooseTarget(target);
+                   if (!target.isEmpty() && !this->target())
+                     emit refused(tr("%1 is no longer in the plan: choose a target").arg(target));
+                   startWith(folder);
+                 };
+               });
+}
+
+void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
+  if (is_live_) cameras_.readAgain();  // a note that they have moved is in force at once
+  if (!recording_ || refuseCameras()) return;
+  steps::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
+                                     aligned_.outcome};
+  coil_.noteIn(request);
+  request.goes_on = goes_on;
+  if (is_live_) request.keepLearnt = cameras_.keeper();
+  if (const auto& given = model_.override())
+    request.override = {given->by.toStdString(), given->reason.toStdString()};
+  steps::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
+  tasks_.start(tr("Starting the trackers"),
+               [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
+                 const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
+                 return [this, prepared] { begin(*prepared); };
+               });
+}
+
+/// A session that ended by itself still exists, with its log. It is ended first.
+void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
+  if (treatment_) endSession();
+  treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), chosen());
+  last_session_ = treatment_->log().folder();
+  treatment_->setIntensity(intensity_pct_);
+  emit changed();
+  listen();
+}
+
+void TreatPresenter::listen() {
+  if (pulse_source_.isEmpty() || !isRunning()) return;
+  if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
+    emit refused(tr("no pulses from outside: %1").arg(QString::fromStdString(*fault)));
+}
+
+bool TreatPresenter::setPulseSource(const QString& words) {
+  try {
+    if (!words.trimmed().isEmpty()) links::openPulseSource(words.trimmed().toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+  pulse_source_ = words.trimmed();
+  QSettings().setValue(kPulseSource, pulse_source_);
+  if (isRunning()) treatment_->stopListening();
+  listen();
+  emit changed();
+  return true;
+}
+
+void TreatPresenter::setIntensity(std::optional<double> intensity_pct) {
+  intensity_pct_ = intensity_pct;
+  if (treatment_) treatment_->setIntensity(intensity_pct);
+  emit changed();
+}
+
+bool TreatPresenter::answerPulse(double mep_uv) {
+  return isRunning() && treatment_->log().answerPulse(mep_uv);
+}
+
+bool TreatPresenter::answerPulse(bool has_twitched) {
+  return isRunning() && treatment_->log().answerPulse(has_twitched);
+}
+
+void TreatPresenter::pause(const QString& reason) {
+  if (isRunning()) treatment_->pause(reason.trimmed().toStdString());
+  emit changed();
+}
+
+void TreatPresenter::resume() {
+  if (isRunning()) treatment_->resume();
+  emit changed();
+}
+
+void TreatPresenter::checkRegistration() {
+  if (isRunning()) treatment_->checkRegistration();
+}
+
+void TreatPresenter::showSkin(bool is_shown) {
+  shows_skin_ = is_shown;
+  emit changed();
+}
+
+void TreatPresenter::judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading) {
+  if (!isRunning()) return;
+  treatment_->judgeTip(verdict, reading);
+  is_judged_wrong_ |= verdict == steps::TipVerdict::wrong;
+  emit changed();
+}
+
+bool TreatPresenter::note(const QString& event, const QString& detail) {
+  if (last_session_.empty()) {
+    emit refused(tr("there is no session yet: start guidance first"));
+    return false;
+  }
+  try {
+    const auto words = report::noteWords(detail.toStdString(), event.toStdString());
+    if (treatment_) {
+      treatment_->log().addEvent(event.toStdString(), words);
+      return true;
+    }
+    casefile::addNote(last_session_, event.toStdString(), words);
+    reportBeside(retirement_, model_.current().store.folder(), last_session_);
+    return true;
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void TreatPresenter::guideTo(const std::optional<guidance::Target>& site) {
+  site_ = site;
+  if (treatment_) treatment_->chooseTarget(chosen(), site ? site->name : target_.toStdString());
+  emit changed();
+}
+
+void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
+  if (!model_.isOpen()) return;
+  try {
+    casefile::recordOverride(model_.current().store, by.trimmed().toStdString(),
+                             reason.trimmed().toStdString(), softwareVersion());
+    model_.setOverride({by.trimmed(), reason.trimmed()});
+    emit changed();
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+}
+
+void TreatPresenter::countPulse() {
+  if (isRunning()) treatment_->pressPulse();
+}
+
+QString TreatPresenter::sessionTime() const {
+  if (!treatment_) return {};
+  return QTime(0, 0).addMSecs(int(1e3 * treatment_->session().elapsed_s())).toString("hh:mm:ss");
+}
+
+void TreatPresenter::stop() {
+  if (treatment_) endSession();
+  emit changed();
+}
+
+void TreatPresenter::endSession() { endBeside(retirement_, std::move(treatment_)); }
+
+void TreatPresenter::chooseTarget(const QString& name) {
+  target_ = name;
+  site_.reset();
+  if (treatment_) treatment_->chooseTarget(chosen(), name.toStdString());
+  emit changed();
+}
+
+const guidance::Target* TreatPresenter::target() const {
+  if (!model_.isOpen()) return nullptr;
+  if (site_) return &*site_;
+  for (const auto& t : model_.current().plan.targets)
+    if (t.name == target_.toStdString()) return &t;
+  return nullptr;
+}
+
+std::optional<session::ChosenTarget> TreatPresenter::chosen() const {
+  const auto* t = target();
+  return t ? std::optional(steps::chosenTarget(*t, aligned_.outcome.get())) : std::nullopt;
+}
+
+QString TreatPresenter::recordingFolder() const {
+  return recording_ && !is_live_ ? QString::fromStdString(recording_->folder.string()) : QString();
+}
+
+QString TreatPresenter::recordingWords() const {
+  if (!recording_) return tr("no cameras");
+  if (is_live_)
+    return tr("cameras %1 and %2, live").arg(cameras_.lastOpened()->left, cameras_.lastOpened()->right);
+  return wordsOf(*recording_);
+}
+
+QString TreatPresenter::alignmentWords() const {
+  if (!isAligned()) return tr("not aligned in this session");
+  return QString::fromStdString(steps::alignmentWords(*aligned_.outcome, target()));
+}
+
+std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
+  if (treatment_) {
+    const auto latest = treatment_->session().latest();
+    if (latest->rig_correction) rig_fault_ = QString::fromStdString(inWords(*latest->rig_correction));
+    if (const auto fault = session::rigFault(*latest)) rig_fault_ = QString::fromStdString(fault->words());
+    if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
+    return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
+  }
+  return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
+}
+
+void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> state) {
+  if (!recording_ || !state->images) return;
+  const auto* t = target();
+  pictures::OverlayOrder order{recording_->rig, std::move(state),
+                               t ? std::optional<guidance::Target>(*t) : std::nullopt};
+  if (shows_skin_ && aligned_.seen.skin) order.alignment = {aligned_.seen.skin, coil_.model().tip, spot_};
+  overlays_.ask(std::move(order));
+}
+
+}  // namespace facenav::ui

@@ -1,0 +1,205 @@
+#pragma once
+// TreatPresenter: cameras (or a recording), align, guide: what the Treat page shows of a treatment
+// (treat/treatment.h). Only a case with a valid sign-off, or an override with name and reason, can be
+// treated.
+
+#include <QObject>
+#include <filesystem>
+#include <memory>
+
+#include "facenav/casefile/session_so_far.h"
+#include "facenav/pictures/overlay_worker.h"
+#include "facenav/treat/treatment.h"
+#include "treat/aligned_head.h"
+#include "treat/cameras_presenter.h"
+#include "shell/case_model.h"
+#include "treat/followed_coil.h"
+#include "treat/read_out.h"
+#include "shell/retirement.h"
+#include "shell/services.h"
+#include "shell/task_runner.h"
+
+namespace facenav::ui {
+
+class TreatPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `draw`: draws the camera overlays, on its own thread; empty: pictures/camera_overlay.h is used.
+  TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr,
+                 pictures::OverlayWorker::Draw draw = {});
+  ~TreatPresenter() override;
+
+  /// Step 1: two live cameras.
+  CamerasPresenter& cameras() { return cameras_; }
+  /// Step 1: opens and checks a recording folder.
+  void openRecording(const QString& folder);
+  /// Step 2: aligns from the capture pair. Starts step 3 afterwards if `then_start`.
+  void align(bool then_start);
+  /// Step 3: runs from the cameras, or from the recording as if it were live.
+  void start();
+  /// Goes on with an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
+  /// until the face was measured against that alignment. Needs cameras or a recording.
+  void goOn(const casefile::SessionSoFar& session);
+  void stop();
+  void chooseTarget(const QString& name);
+  /// Names of the coils to choose from: the recording's own one, then those of the library.
+  QStringList coils() const { return coil_.names(); }
+  QString coilName() const { return coil_.name(); }
+  /// Follows this coil from now on, also while guidance runs. Remembered where it is of the library.
+  void chooseCoil(const QString& name);
+  /// That the target was found with another coil, or that the coil's calibration is old or not recorded;
+  /// empty: nothing to say.
+  QString coilReminder() const { return coil_.reminder(target()); }
+  /// Recorded in the case and in the session's log. Refused without name and reason.
+  void overrideSignOff(const QString& by, const QString& reason);
+  /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
+  /// again.
+  void guideTo(const std::optional<guidance::Target>& site);
+
+  // While guidance runs; else they do nothing, or return false.
+  /// Keeps a TMS pulse with where the coil was.
+  void countPulse();
+  /// What the muscle did at the newest pulse.
+  bool answerPulse(double mep_uv);
+  bool answerPulse(bool has_twitched);
+  void pause(const QString& reason);
+  void resume();
+  bool isPaused() const { return isRunning() && treatment_->isPaused(); }
+  /// Measures the registration again; the finding is in the next states, and in the log.
+  void checkRegistration();
+  /// The last check, or the alignment, is too long ago.
+  bool isCheckDue() const { return isRunning() && treatment_->isCheckDue(); }
+
+  /// Of the following pulses; remembered until the window closes. % of the maximal output.
+  void setIntensity(std::optional<double> intensity_pct);
+  std::optional<double> intensity() const { return intensity_pct_; }
+  /// Where pulses come from beside the keyboard, as links::openPulseSource reads it; empty: nowhere.
+  /// Remembered. Used at once by a running session. False: refused, with words.
+  bool setPulseSource(const QString& words);
+  QString pulseSource() const { return pulse_source_; }
+  /// An event of the session that runs, or of the last one of this window. False: there is none.
+  bool note(const QString& event, const QString& detail);
+
+  session::PulseCounts pulseCounts() const {
+    return treatment_ ? treatment_->log().counts() : session::PulseCounts();
+  }
+  /// Of the target's dose or the case's protocol; nothing: no goal.
+  std::optional<int> plannedPulses() const { return treatment_ ? treatment_->plannedPulses() : std::nullopt; }
+  /// The newest pulse with a verdict; nothing without one.
+  std::optional<session::JudgedPulse> lastPulse() const {
+    return treatment_ ? treatment_->log().lastPulse() : std::nullopt;
+  }
+
+  bool mayTreat() const { return model_.mayBeTreated(); }
+  /// Pulses that are kept in the session's file; a pulse gets there with the frame after it, at the
+  /// latest after half a second.
+  int pulses() const { return treatment_ ? treatment_->log().pulses() : 0; }
+  /// Time from the start of guidance until its end, "00:07:31"; empty before.
+  QString sessionTime() const;
+  /// Why the session's log stopped; empty if it did not.
+  QString logFailure() const {
+    return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
+  }
+  /// True with cameras or a recording.
+  bool hasRecording() const { return recording_.has_value(); }
+  bool isLive() const { return is_live_; }
+  /// True if everything needed to align is there.
+  bool canAlign() const;
+  bool canGoOn() const {
+    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty() &&
+           otherChoiceWords().isEmpty();
+  }
+  /// The fault of the live cameras, or the one that the last session found, or a motion that it corrected;
+  /// empty: none.
+  QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
+  /// Why the live cameras are not aligned or guided with, until they are repaired; empty: they are.
+  QString withheldWords() const { return is_live_ ? cameras_.rigFault() : QString(); }
+  /// That other cameras or another calibration are chosen than the live ones were opened with: the pictures
+  /// and the alignment are not of these. Empty: the same.
+  QString otherChoiceWords() const { return is_live_ ? cameras_.otherChoiceWords() : QString(); }
+  /// An alignment that was judged wrong is none: the next session needs another one.
+  bool isAligned() const { return aligned_.outcome != nullptr && !is_judged_wrong_; }
+  bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
+  /// The recording reached its end, or a fault stopped the session.
+  bool hasEnded() const { return treatment_ && treatment_->session().hasEnded(); }
+  /// The recording used in place of cameras; empty: none.
+  QString recordingFolder() const;
+  QString recordingWords() const;
+  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session". The header says
+  /// the same.
+  QString alignmentWords() const;
+  QString targetName() const { return target_; }
+  /// The place that is guided to: the chosen target, or the site of a hunting grid. May be null.
+  const guidance::Target* target() const;
+
+  /// The error at a target is smaller in 95 of 100 alignments like this one, mm; nothing without one. Of
+  /// cameras that stand as they were calibrated: the session withholds poses where the coil's marker shows
+  /// that they do not.
+  std::optional<double> errorBound95_mm(const guidance::Target& target) const {
+    if (!isAligned()) return std::nullopt;
+    const auto& result = aligned_.outcome->result;
+    return result.uncertainty().errorBound_mm(result.camera_T_mri, target.cortex_point);
+  }
+
+  /// The MRI's skin and the check of the coil's tip, of the alignment in use; null members: none.
+  const steps::AlignmentSeen& alignmentSeen() const { return aligned_.seen; }
+  /// The MRI's skin over the pictures that the alignment was made from; null: none.
+  const std::shared_ptr<const pictures::CameraOverlay>& alignmentPicture() const { return aligned_.picture; }
+  /// The skin is drawn over the live pictures: from an alignment on, until it is switched off.
+  bool showsSkin() const { return shows_skin_; }
+  void showSkin(bool is_shown);
+  /// The point of the coil that is held to the face.
+  const Point<Coil>& tip() const { return coil_.model().tip; }
+  /// Of the cameras or the recording; null: none.
+  const cameras::StereoRig* rig() const { return recording_ ? &recording_->rig : nullptr; }
+  /// Drawn over the live pictures with the skin; nothing: none.
+  void showSpot(const std::optional<Point<Mri>>& spot) { spot_ = spot; }
+  /// Logs it; after a wrong one guidance is withheld, and the head must be aligned again.
+  void judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading);
+
+  /// The newest state; everything is lost if nothing runs.
+  std::shared_ptr<const session::NavigationState> state() const;
+  /// Requests both camera overlays of `state`; overlayDrawn() delivers them.
+  void askOverlay(std::shared_ptr<const session::NavigationState> state);
+
+ signals:
+  void changed();
+  void refused(const QString& words);
+  void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
+
+ private:
+  void startWith(const std::filesystem::path& goes_on);
+  /// With words; false: the cameras are those that were opened, and are not known to have moved.
+  bool refuseCameras();
+  void use(const AlignedHead& aligned);
+  void begin(steps::PreparedTreatment& prepared);
+  void useCameras();
+  void forgetCameras();
+  void forgetCase();
+  void listen();
+  void endSession();
+  std::optional<session::ChosenTarget> chosen() const;
+
+  const Services& services_;
+  CaseModel& model_;
+  TaskRunner& tasks_;
+  CamerasPresenter cameras_;
+  std::optional<capture::Recording> recording_;  // with live cameras: the rig and the images taken
+  bool is_live_ = false;
+  mutable QString rig_fault_;
+  FollowedCoil coil_;
+  AlignedHead aligned_;
+  bool is_judged_wrong_ = false;  // aligned_, by a person; until the head is aligned again
+  bool shows_skin_ = true;
+  std::optional<Point<Mri>> spot_;
+  std::shared_ptr<steps::Treatment> treatment_;  // null: none was started
+  Retirement retirement_;
+  std::filesystem::path last_session_;
+  QString target_, pulse_source_;
+  std::optional<guidance::Target> site_;
+  std::optional<double> intensity_pct_;
+  pictures::OverlayWorker overlays_;
+};
+
+}  // namespace facenav::ui

@@ -1,0 +1,120 @@
+#include "treat/treat_side.h"
+
+#include <QEvent>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+#include "shell/appearance.h"
+#include "treat/bulls_eye_view.h"
+#include "treat/check_row.h"
+#include "treat/figures_panel.h"
+#include "treat/motor_panel.h"
+#include "treat/pulse_row.h"
+#include "shell/scroll_column.h"
+#include "treat/session_panel.h"
+#include "treat/tip_panel.h"
+
+namespace facenav::ui {
+namespace {
+
+/// Asks for the width of the page that is shown, not for that of the widest.
+class ShownPage : public QStackedWidget {
+ public:
+  explicit ShownPage(QWidget* parent) : QStackedWidget(parent) {
+    connect(this, &QStackedWidget::currentChanged, this, &QWidget::updateGeometry);
+  }
+  QSize minimumSizeHint() const override {
+    const QWidget* page = currentWidget();
+    return page ? page->minimumSizeHint().expandedTo(page->minimumSize()) : QSize();
+  }
+  /// The column round it scrolls only where this does not fit.
+  QSize sizeHint() const override { return minimumSizeHint(); }
+};
+
+}  // namespace
+
+TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresenter& check, TipPresenter& tip,
+                     SessionSounds& sounds, SecondScreens& screens, ProjectorPresenter& projector,
+                     QWidget* parent)
+    : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  tools_ = new ShownPage(this);
+  bulls_eye_ = new BullsEyeView(tools_);
+  tools_->addWidget(bulls_eye_);
+  tools_->addWidget(new ScrollColumn(new MotorPanel(motor, treat, tools_), 0, tools_));
+  tools_->addWidget(new ScrollColumn(new SessionPanel(treat, sounds, screens, projector, tools_), 0, tools_));
+  tools_->addWidget(new ScrollColumn(new TipPanel(tip, treat, tools_), 0, tools_));
+  figures_ = new FiguresPanel(this);
+  bulls_eye_and_figures_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  bulls_eye_and_figures_->addWidget(tools_, 4);
+  bulls_eye_and_figures_->addWidget(figures_, 5);
+  bulls_eye_and_figures_->setContentsMargins(0, 0, 0, 0);
+  tabs_ = makeTabs();
+  column->addWidget(tabs_);
+  auto* scrolled = new QWidget(this);
+  scrolled->setLayout(bulls_eye_and_figures_);
+  column_ = new ScrollColumn(scrolled, sized(kFigures_px), this);
+  column_->viewport()->installEventFilter(this);
+  column->addWidget(column_, 1);
+  pulses_ = new PulseRow(treat, sounds, this);
+  column->addWidget(pulses_);
+  column->addWidget(new CheckRow(check, treat, this));
+  auto* key = new QShortcut(Qt::Key_P, this);
+  key->setAutoRepeat(false);  // a key that is held down is one pulse
+  connect(key, &QShortcut::activated, pulses_, &PulseRow::take);
+}
+
+QTabBar* TreatSide::makeTabs() {
+  auto* tabs = new QTabBar(this);
+  tabs->setExpanding(false);
+  tabs->setDrawBase(false);
+  const std::pair<QString, QString> tools[] = {
+      {tr("Aim"), tr("where the coil is against the target")},
+      {tr("Motor"), tr("motor hotspot and threshold: the muscle's answers")},
+      {tr("Session"), tr("pause, pain, adverse events, source of the pulses, sound, second screen")},
+      {tr("Check"), tr("the alignment by eye: the MRI's skin over the pictures, and the coil's tip or a "
+                       "clicked spot on the face")}};
+  for (const auto& [name, tip] : tools) tabs->setTabToolTip(tabs->addTab(name), tip);
+  connect(tabs, &QTabBar::currentChanged, this, [this](int tool) {
+    tools_->setCurrentIndex(tool);
+    arrange();
+  });
+  return tabs;
+}
+
+void TreatSide::showTool(Tool tool) { tabs_->setCurrentIndex(int(tool)); }
+
+bool TreatSide::isShown(Tool tool) const { return tabs_->currentIndex() == int(tool); }
+
+void TreatSide::refreshPulses() { pulses_->refresh(); }
+
+void TreatSide::show(const guidance::GuidanceState& guidance, const ReadOut& read_out) {
+  bulls_eye_->set(guidance);
+  figures_->set(read_out);
+}
+
+void TreatSide::resizeEvent(QResizeEvent*) { arrange(); }
+
+/// The room changes with the rows below it, too.
+bool TreatSide::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) arrange();
+  return QWidget::eventFilter(watched, event);
+}
+
+/// Where the bull's eye and the figures have no room one above the other, the bull's eye moves beside the
+/// figures. The other panels are too wide for that: the figures become small.
+void TreatSide::arrange() {
+  const bool is_aim = tools_->currentWidget() == bulls_eye_;
+  const int needed_px =
+      bulls_eye_->minimumHeight() + bulls_eye_and_figures_->spacing() + figures_->neededHeight();
+  const bool is_low = column_->viewport()->height() < needed_px;
+  bulls_eye_and_figures_->setDirection(is_low && is_aim ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  bulls_eye_and_figures_->setStretchFactor(tools_, is_aim ? 4 : 1);
+  bulls_eye_and_figures_->setStretchFactor(figures_, is_aim ? 5 : 0);
+  figures_->setSmall(is_low && !is_aim, is_low);
+}
+
+}  // namespace facenav::ui

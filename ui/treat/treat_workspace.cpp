@@ -1,0 +1,344 @@
+#include "treat/treat_workspace.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "shell/appearance.h"
+#include "treat/live_slices.h"
+#include "shell/scene_view.h"
+#include "treat/camera_row.h"
+#include "treat/cameras_panel.h"
+#include "shell/elided_label.h"
+#include "treat/override_panel.h"
+#include "treat/return_panel.h"
+#include "shell/scroll_column.h"
+#include "treat/treat_side.h"
+#include "shell/words_of_button.h"
+
+namespace facenav::ui {
+namespace {
+
+constexpr int kPageRefresh_ms = 33;
+constexpr const char* kSlicesShown = "treat/slices_shown";
+constexpr const char* kSlicesInScene = "treat/slices_in_scene";
+
+}  // namespace
+
+TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
+    : QWidget(parent),
+      presenter_(presenter),
+      model_(model),
+      motor_(presenter, model),
+      return_(presenter, model),
+      check_(presenter),
+      tip_(presenter),
+      projector_(presenter, model),
+      screens_(new SecondScreens(projector_, *this)),
+      scene_(new SceneView(this)),
+      slices_(new LiveSlices(this)),
+      pictures_(new CameraRow(this)) {
+  setObjectName("treat");  // the style sheet makes its text legible from two metres
+  auto* row = new QHBoxLayout;
+  auto* middle = new QVBoxLayout;
+  auto* seen = new QHBoxLayout;
+  seen->addWidget(scene_, 5);
+  seen->addWidget(slices_, 3);
+  middle->addLayout(seen, 3);
+  middle->addWidget(pictures_, 2);
+  row->addLayout(middle, 3);
+  row->addWidget(makeSide(), 2);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 10, 10, 10);
+  column->addWidget(new OverridePanel(presenter_, model_, this));
+  column->addWidget(new ReturnPanel(return_, this));
+  column->addLayout(row, 1);
+  column->addWidget(makeSteps());
+  timer_.setInterval(kPageRefresh_ms);
+  connect(&timer_, &QTimer::timeout, this, &TreatWorkspace::refresh);
+  connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
+  connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
+  connect(&projector_, &ProjectorPresenter::refused, &presenter_, &TreatPresenter::refused);
+  connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
+  connect(pictures_, &CameraRow::picked, this, [this](auto side, const QPointF& px, auto state) {
+    if (tools_->isShown(Tool::check)) tip_.pick(side, px, *state);
+  });
+  const auto markOutdated = [this] {
+    is_outdated_ = true;
+    if (isVisible()) showCase();
+  };
+  connect(&model_, &CaseModel::opened, this, markOutdated);
+  connect(&model_, &CaseModel::planChanged, this, markOutdated);
+  connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
+  showSteps();
+  showStage(!presenter_.hasRecording());
+}
+
+QWidget* TreatWorkspace::makeSide() {
+  side_ = new QStackedWidget(this);
+  tools_ = new TreatSide(presenter_, motor_, check_, tip_, sounds_, *screens_, projector_, side_);
+  side_->addWidget(tools_);
+  side_->addWidget(
+      new ScrollColumn(new CamerasPanel(presenter_, side_), sized(TreatSide::kFigures_px), side_));
+  return side_;
+}
+
+void TreatWorkspace::showTool(Tool tool) { tools_->showTool(tool); }
+
+QWidget* TreatWorkspace::makeSteps() {
+  auto* bar = new QFrame(this);
+  bar->setObjectName("panel");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(10, 6, 10, 6);
+  cameras_ = new QPushButton(bar);
+  align_ = new QPushButton(bar);
+  guide_ = new QPushButton(bar);
+  cameras_->setToolTip(tr("cameras or a recording, their calibration and pictures (Ctrl+R)"));
+  cameras_->setCheckable(true);
+  cameras_->setShortcut(Qt::CTRL + Qt::Key_R);
+  align_->setToolTip(tr("measure the face and fit it to the scan; no click is needed (Ctrl+L)"));
+  align_->setShortcut(Qt::CTRL + Qt::Key_L);
+  guide_->setToolTip(tr("start or stop guidance (Space)"));
+  guide_->setShortcut(Qt::Key_Space);
+  guide_->setObjectName("primary");
+  target_ = new QComboBox(bar);
+  target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  target_->setMinimumContentsLength(12);
+  target_->setToolTip(tr("the target to guide to"));
+  coil_ = new QComboBox(bar);
+  coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  coil_->setMinimumContentsLength(15);
+  coil_->setAccessibleName(tr("coil"));
+  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
+  show_slices_ = new QPushButton(tr("Slices"), bar);
+  show_slices_->setObjectName("tool");
+  show_slices_->setCheckable(true);
+  show_slices_->setChecked(QSettings().value(kSlicesShown, true).toBool());
+  show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
+  show_slices_->setShortcut(Qt::Key_M);
+  slices_in_scene_ = new QPushButton(tr("in 3-D"), bar);
+  slices_in_scene_->setObjectName("tool");
+  slices_in_scene_->setCheckable(true);
+  slices_in_scene_->setChecked(QSettings().value(kSlicesInScene, false).toBool());
+  slices_in_scene_->setToolTip(tr("the same two slices in the 3-D scene, under the coil (Shift+M)"));
+  slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
+  words_ = new ElidedLabel(bar);
+  words_->setObjectName("muted");
+  for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
+  row->addWidget(words_, 1);
+  row->addWidget(show_slices_);
+  row->addWidget(slices_in_scene_);
+  row->addWidget(coil_);
+  row->addWidget(target_);
+  connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
+    QSettings().setValue(kSlicesShown, are_shown);
+    slices_->setVisible(are_shown && side_->currentIndex() == 0);
+    signature_.clear();
+  });
+  connect(slices_in_scene_, &QPushButton::toggled, this, [this](bool are_shown) {
+    QSettings().setValue(kSlicesInScene, are_shown);
+    showSlicesInScene();
+    signature_.clear();
+  });
+  connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
+  connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
+  connect(guide_, &QPushButton::clicked, this, [this] {
+    if (presenter_.isRunning()) return presenter_.stop();
+    showStage(false);
+    presenter_.start();
+  });
+  connect(target_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { presenter_.chooseTarget(target_->currentText()); });
+  connect(coil_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { presenter_.chooseCoil(coil_->currentText()); });
+  return bar;
+}
+
+void TreatWorkspace::showSlicesInScene() {
+  const bool are_shown = slices_in_scene_->isChecked() && model_.isOpen();
+  scene_->scene().setCoilSlices(are_shown ? model_.current().mri : nullptr);
+}
+
+/// Step 1 shows the images large with the choice of cameras; the other steps show the scene and the figures.
+void TreatWorkspace::showStage(bool shows_cameras) {
+  side_->setCurrentIndex(shows_cameras ? 1 : 0);
+  scene_->setVisible(!shows_cameras);
+  slices_->setVisible(!shows_cameras && show_slices_->isChecked());
+  previewed_ = -1;
+  cameras_->setChecked(shows_cameras);
+  signature_.clear();
+}
+
+/// Shows the cameras' images before tracking starts.
+void TreatWorkspace::showPreview() {
+  const auto frame = presenter_.cameras().picture();
+  if (!frame || frame->number == previewed_) return;
+  previewed_ = frame->number;
+  pictures_->showPlain(*frame);
+}
+
+void TreatWorkspace::showSteps() {
+  const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf)), wrong(QChar(0x2715));
+  shows_moved_ = hasMoved();
+  setWords(*cameras_, tr("1 Cameras %1").arg(shows_moved_ ? wrong : presenter_.hasRecording() ? done : open));
+  setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
+  const bool has_begun = presenter_.isRunning() && !shows_running_;
+  shows_running_ = presenter_.isRunning();
+  if (has_begun) showStage(false);
+  setWords(*guide_, shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
+  align_->setEnabled(presenter_.canAlign());
+  // Stopping is always possible.
+  guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
+  showCoils();
+  words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
+                              : tr("open a case first (Ctrl+O)"));
+  target_->clear();
+  if (model_.isOpen())
+    for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
+  target_->setCurrentText(presenter_.targetName());
+  if (!is_outdated_ && model_.isOpen()) {
+    scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());
+    scene_->scene().setView(scene::ViewPreset::target);
+    signature_.clear();
+  }
+}
+
+/// A calibration that is old is marked at the coil's name, and said in its tip and in step 1.
+void TreatWorkspace::showCoils() {
+  const QString reminder = presenter_.coilReminder();
+  coil_->clear();
+  coil_->addItems(presenter_.coils());
+  coil_->setCurrentText(presenter_.coilName());
+  const bool is_old = !reminder.isEmpty() && presenter_.hasRecording();
+  coil_->setToolTip(tr("the coil that is held") + (is_old ? "\n" + reminder : QString()));
+  if (is_old) coil_->setItemIcon(coil_->currentIndex(), style()->standardIcon(QStyle::SP_MessageBoxWarning));
+}
+
+void TreatWorkspace::showCase() {
+  if (!is_outdated_ || !model_.isOpen()) return;
+  is_outdated_ = false;
+  scene_->show(model_.current());
+  slices_->show(model_.current());
+  showSlicesInScene();
+  showSteps();
+}
+
+bool TreatWorkspace::hasMoved() const { return !presenter_.withheldWords().isEmpty(); }
+
+/// The newest state in words; before guidance: what is missing for it.
+ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
+  ReadOut read_out = makeReadOut(state);
+  if (was_started) {
+    if (!presenter_.hasEnded() || !state.failure.empty()) return read_out;
+    read_out.instruction = tr("RECORDING ENDED: start again");
+    read_out.level = Level::idle;
+    return read_out;
+  }
+  const bool has_moved = hasMoved();
+  read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
+                         : !model_.isOpen()       ? tr("NO CASE OPEN")
+                         : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
+                         : !presenter_.otherChoiceWords().isEmpty()
+                             ? tr("CAMERAS CHANGED: open them (step 1)")
+                         : presenter_.isAligned() ? tr("READY: start guidance")
+                                                  : tr("NOT ALIGNED");
+  read_out.level = Level::idle;
+  read_out.timing.clear();
+  read_out.cameras = {has_moved                   ? tr("CAMERAS moved")
+                      : presenter_.hasRecording() ? tr("CAMERAS ready")
+                                                  : tr("CAMERAS none"),
+                      {},
+                      has_moved ? Level::lost : Level::idle};
+  read_out.face = {tr("FACE idle"), {}, Level::idle};
+  read_out.coil = {tr("COIL idle"), {}, Level::idle};
+  return read_out;
+}
+
+void TreatWorkspace::refresh() {
+  const auto state = presenter_.state();
+  tools_->refreshPulses();
+  check_.follow(*state);
+  tip_.follow(*state);
+  // The check of a kept rig answers at any time.
+  if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled() ||
+      hasMoved() != shows_moved_)
+    showSteps();
+  const bool was_started = presenter_.isRunning() || state->frame >= 0;
+  const ReadOut read_out = readOut(*state, was_started);
+  screens_->follow(state, read_out);
+  if (isVisible())
+    draw(state, read_out, was_started);
+  else if (!screens_->areShown())
+    timer_.stop();
+  emit shown(read_out);
+}
+
+void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>& state,
+                          const ReadOut& read_out, bool was_started) {
+  const bool shows_cameras = side_->currentIndex() == 1;
+  if (shows_cameras && !presenter_.isRunning()) {
+    showPreview();
+    if (previewed_ < 0) pictures_->follow(state);  // no image yet; an old one must not stay
+    return;
+  }
+  showPictures(state, was_started);
+  // Redraws as soon as anything shown has changed: a blanked state must replace the last one at once.
+  const QString signature = QStringList{QString::number(state->frame),
+                                        read_out.instruction,
+                                        read_out.across,
+                                        read_out.depth,
+                                        read_out.tilt,
+                                        read_out.twist,
+                                        read_out.face.words,
+                                        read_out.coil.words,
+                                        presenter_.showsSkin() ? "skin" : ""}
+                                .join('|');
+  if (signature == signature_) return;
+  signature_ = signature;
+  drawScene(*state, read_out, was_started);
+  slices_->follow(*state, read_out.instruction,
+                  state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
+  presenter_.askOverlay(state);
+  tools_->show(state->guidance, read_out);
+  presenter_.isRunning() ? sounds_.follow(state->guidance) : sounds_.forget();
+}
+
+void TreatWorkspace::drawScene(const session::NavigationState& state, const ReadOut& read_out,
+                               bool was_started) {
+  auto& scene = scene_->scene();
+  if (was_started) {
+    scene.setHeadPose(state.camera_T_mri);
+    scene.setCoilPose(state.camera_T_coil);
+  } else {
+    scene.setLive(false);
+  }
+  scene.setOnTarget(read_out.level == Level::good);
+  const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
+  scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
+  was_started ? scene_->refreshMoving() : scene_->refresh();
+}
+
+/// Before guidance: the pictures that the head was aligned from, with the MRI's skin over them.
+void TreatWorkspace::showPictures(const std::shared_ptr<const session::NavigationState>& state,
+                                  bool was_started) {
+  const auto& aligned = presenter_.alignmentPicture();
+  if (was_started || !aligned || !presenter_.showsSkin()) return pictures_->follow(state);
+  pictures_->showStill(aligned);
+}
+
+void TreatWorkspace::showEvent(QShowEvent*) {
+  signature_.clear();
+  showCase();
+  timer_.start();
+}
+
+/// The second screens are followed while another page is shown.
+void TreatWorkspace::hideEvent(QHideEvent*) {
+  if (!screens_->areShown()) timer_.stop();
+}
+
+}  // namespace facenav::ui

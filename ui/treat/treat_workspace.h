@@ -1,0 +1,91 @@
+#pragma once
+// Treat: 3-D scene, both cameras with overlays, bull's eye, figures legible from two metres. Steps: 1
+// Cameras, 2 Align, 3 Guide. It takes the newest state about 30 times a second. If lost or old: figures
+// blank, scene grey, and words say why.
+
+#include <QTimer>
+#include <QWidget>
+
+#include "treat/check_presenter.h"
+#include "treat/motor_presenter.h"
+#include "treat/return_presenter.h"
+#include "treat/session_sounds.h"
+#include "treat/tip_presenter.h"
+#include "treat/treat_side.h"
+
+class QComboBox;
+class QPushButton;
+class QStackedWidget;
+
+namespace facenav::ui {
+
+class CameraRow;
+class ElidedLabel;
+class LiveSlices;
+class SceneView;
+
+class TreatWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  using Tool = TreatSide::Tool;
+  TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent = nullptr);
+
+  TreatPresenter& presenter() { return presenter_; }
+  MotorPresenter& motor() { return motor_; }
+  ReturnPresenter& sessionReturn() { return return_; }
+  CheckPresenter& check() { return check_; }
+  TipPresenter& tip() { return tip_; }
+  ProjectorPresenter& projector() { return projector_; }
+  SecondScreens& screens() { return *screens_; }
+  void showTool(Tool tool);
+
+ signals:
+  /// Emitted after each refresh, for the window's header.
+  void shown(const facenav::ui::ReadOut& read_out);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* makeSide();
+  QWidget* makeSteps();
+  void showCase();
+  bool hasMoved() const;  // the cameras of a kept rig: nothing is aligned or guided with them
+  void showSteps();
+  void showCoils();
+  void refresh();
+  ReadOut readOut(const session::NavigationState& state, bool was_started) const;
+  void draw(const std::shared_ptr<const session::NavigationState>& state, const ReadOut& read_out,
+            bool was_started);
+  void drawScene(const session::NavigationState& state, const ReadOut& read_out, bool was_started);
+  void showStage(bool shows_cameras);
+  void showPreview();
+  void showSlicesInScene();
+  void showPictures(const std::shared_ptr<const session::NavigationState>& state, bool was_started);
+
+  TreatPresenter& presenter_;
+  CaseModel& model_;
+  MotorPresenter motor_;
+  ReturnPresenter return_;
+  CheckPresenter check_;
+  TipPresenter tip_;
+  ProjectorPresenter projector_;
+  SecondScreens* screens_;
+  SessionSounds sounds_;
+  SceneView* scene_;
+  LiveSlices* slices_;
+  CameraRow* pictures_;
+  TreatSide* tools_;  // Aim, Motor, Session, Check
+  QComboBox *target_, *coil_;
+  QStackedWidget* side_;
+  QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
+  ElidedLabel* words_;
+  QTimer timer_;
+  bool is_outdated_ = false, shows_running_ = false, shows_moved_ = false;
+  std::int64_t previewed_ = -1;
+  QString signature_;
+};
+
+}  // namespace facenav::ui
