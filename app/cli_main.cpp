@@ -13,8 +13,11 @@
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/workflow/software_version.h"
+#include "help_format.h"
 #include "settings_flags.h"
+#include "software_commit.h"
 #include "terminal_progress.h"
+#include "verb_words.h"
 
 namespace {
 
@@ -23,6 +26,27 @@ using namespace facenav;
 constexpr const char* kVerbsWithSettings[] = {"prepare",  "align",  "track",    "guide",     "cloud",
                                               "evaluate", "demo",   "settings", "threshold", "hotspot",
                                               "pulses",   "report", "coil",     "target",    "rig"};
+
+/// The verbs of one step of the clinic's path. --help lists them together.
+struct VerbGroup {
+  const char* step;
+  std::vector<void (*)(CLI::App&, app::Context&)> verbs;
+};
+
+const VerbGroup kVerbGroups[] = {
+    {"Prepare",
+     {app::addPacs, app::addSeries, app::addPrepare, app::addCheck, app::addBrain, app::addWorklist,
+      app::addLabel, app::addExport}},
+    {"Plan", {app::addLocate, app::addTarget, app::addPlan}},
+    {"Set up",
+     {app::addCameras, app::addCalibrate, app::addRig, app::addRecord, app::addProjector, app::addMarker,
+      app::addCalibrateCoil, app::addCoil}},
+    {"Align", {app::addAlign, app::addCloud}},
+    {"Treat", {app::addTrack, app::addGuide, app::addThreshold}},
+    {"Review", {app::addSessions, app::addPulses, app::addHotspot, app::addNote, app::addReport}},
+    {"Home", {app::addFaceCase, app::addImport}},
+    {"Lab and others", {app::addSimulate, app::addEvaluate, app::addDemo, app::addSettings}},
+};
 
 std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set this flag
 
@@ -50,6 +74,25 @@ void addSettingsFlags(CLI::App& verb, workflow::SettingsRequest& request) {
   for (CLI::App* below : verb.get_subcommands({})) app::addSettingsFlags(*below, request);
 }
 
+void addVerbs(const VerbGroup& group, CLI::App& cli, app::Context& context) {
+  for (const auto add : group.verbs) {
+    const auto before = cli.get_subcommands({}).size();
+    add(cli, context);
+    const auto verbs = cli.get_subcommands({});
+    for (std::size_t i = before; i < verbs.size(); ++i) verbs[i]->group(group.step);
+  }
+}
+
+std::string versionInWords() {
+  return workflow::softwareVersion() + " (commit " + app::softwareCommit() + ")";
+}
+
+int wrongUsage(const std::string& what, const std::string& verb) {
+  std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", what.c_str(),
+               verb.empty() ? "" : (" " + verb).c_str());
+  return 2;
+}
+
 void useSettings(const app::Context& context) {
   workflow::useSettings(context.settings);
   if (context.is_quiet) return;
@@ -70,53 +113,24 @@ int runCommandLine(int argc, char** argv) {
 
   app::Context context{app::makeRegistrations(), monitor, programPath(), is_quiet};
   CLI::App cli("FaceNav: markerless neuronavigation for rTMS", "facenav");
-  cli.set_version_flag("--version", workflow::softwareVersion());
+  cli.set_version_flag("--version", versionInWords());
   cli.require_subcommand(0, 1);
-  app::addSeries(cli, context);
-  app::addPacs(cli, context);
-  app::addPrepare(cli, context);
-  app::addCheck(cli, context);
-  app::addBrain(cli, context);
-  app::addWorklist(cli, context);
-  app::addLabel(cli, context);
-  app::addCameras(cli, context);
-  app::addCalibrate(cli, context);
-  app::addRig(cli, context);
-  app::addRecord(cli, context);
-  app::addProjector(cli, context);
-  app::addCalibrateCoil(cli, context);
-  app::addAlign(cli, context);
-  app::addTrack(cli, context);
-  app::addCloud(cli, context);
-  app::addGuide(cli, context);
-  app::addSessions(cli, context);
-  app::addPulses(cli, context);
-  app::addReport(cli, context);
-  app::addThreshold(cli, context);
-  app::addHotspot(cli, context);
-  app::addNote(cli, context);
-  app::addSimulate(cli, context);
-  app::addLocate(cli, context);
-  app::addTarget(cli, context);
-  app::addPlan(cli, context);
-  app::addExport(cli, context);
-  app::addFaceCase(cli, context);
-  app::addImport(cli, context);
-  app::addCoil(cli, context);
-  app::addMarker(cli, context);
-  app::addEvaluate(cli, context);
-  app::addDemo(cli, context);
-  app::addSettings(cli, context);
+  cli.formatter(std::make_shared<app::HelpFormat>());
+  for (const VerbGroup& group : kVerbGroups) addVerbs(group, cli, context);
+  app::addHelp(cli, context);
+  cli.footer(
+      "'facenav help VERB' explains a verb. Without a verb the window starts.\n"
+      "The manual has a page for each task: resources/doc/README.md");
   for (const char* verb : kVerbsWithSettings) addSettingsFlags(*cli.get_subcommand(verb), context.settings);
   cli.parse_complete_callback([&context] { useSettings(context); });  // before the verb runs
   for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
+  if (const auto wrong = app::wrongVerb(cli, {argv + 1, argv + argc}))
+    return wrongUsage(wrong->in_words, wrong->below);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
-    std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", error.what(),
-                 argc > 1 && argv[1][0] != '-' ? (" " + std::string(argv[1])).c_str() : "");
-    return 2;
+    return wrongUsage(error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : "");
   }
   if (cli.get_subcommands().empty()) return startWindow(context.program);
   return 0;

@@ -51,5 +51,6 @@ void addEvaluateReturn(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);
+void addHelp(CLI::App& app, Context& context);
 
 }  // namespace facenav::app
