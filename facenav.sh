@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
-#   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: out/demo)
+#   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: facenav_demo)
 #   ./facenav.sh test            all tests, under a virtual display
 #   ./facenav.sh check           before a commit: format and clang-tidy on what changed, layers, fast tests under sanitizers
 #   ./facenav.sh benchmark [WORD] every kernel beside its peers: Markdown tables, also in out/benchmarks.md
