@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
-#   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: out/demo)
-#   ./facenav.sh test            all tests, under a virtual display
+#   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: facenav_demo)
+#   ./facenav.sh test            the tests of every module, under a virtual display (some minutes)
+#   ./facenav.sh test --full     the long ones: real heads, live sessions, accuracy, the demo's path
 #   ./facenav.sh check           before a commit: format and clang-tidy on what changed, layers, fast tests under sanitizers
 #   ./facenav.sh benchmark [WORD] every kernel beside its peers: Markdown tables, also in out/benchmarks.md
 #   ./facenav.sh gui [ARGS]      the workstation window
@@ -105,27 +106,19 @@ set_up() {
   local free_kb; free_kb=$(df -Pk "$root/build" | awk 'NR==2 {print $4}')
   [ "$free_kb" -gt 1000000 ] || fail "the disk is nearly full ($((free_kb / 1024)) MB free); FaceNav needs 5 GB to build"
   install_packages "$@"
-  fetch_virtual_patient
 }
 
-# Prints the CUDA compiler if one is installed that works with this g++; otherwise nothing.
-working_nvcc() {
-  local nvcc; nvcc=$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)
-  [ -x "$nvcc" ] && echo '__global__ void f() {}' >build/nvcc_check.cu && "$nvcc" -c build/nvcc_check.cu -o build/nvcc_check.o >/dev/null 2>&1 && echo "$nvcc"
-}
-
+# build TESTS(ON|OFF) TARGET..: configures if needed, and builds these programs.
 build() {
-  local tests=$1 nvcc=""
+  local tests=$1; shift
   if [ ! -f build/release/build.ninja ] || ! grep -q "FACENAV_BUILD_TESTS:BOOL=$tests" build/release/CMakeCache.txt; then
     say "configuring"
-    [ "$tests" = ON ] && nvcc=$(working_nvcc)
-    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= \
-      ${nvcc:+-DFACENAV_CUDA=ON "-DCMAKE_CUDA_COMPILER=$nvcc"} >"$log" 2>&1 || explain "configuring"
+    cmake --preset release -DFACENAV_BUILD_TESTS="$tests" -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
   fi
-  ninja -C build/release -n 2>/dev/null | grep -q 'no work to do' && return
+  ninja -C build/release -n "$@" 2>/dev/null | grep -q 'no work to do' && return
   say "building (release, $(nproc) cores; some minutes the first time)"
-  if [ -t 1 ]; then cmake --build build/release 2>&1 | tee "$log" | grep -E --line-buffered '^\[|error|FAILED' | sed -u 's/^\(\[[0-9/]*\]\).*/\1/' | tr '\n' '\r'
-  else cmake --build build/release >"$log" 2>&1; fi
+  if [ -t 1 ]; then ninja -C build/release "$@" 2>&1 | tee "$log" | grep -E --line-buffered '^\[|error|FAILED' | sed -u 's/^\(\[[0-9/]*\]\).*/\1/' | tr '\n' '\r'
+  else ninja -C build/release "$@" >"$log" 2>&1; fi
   [ "${PIPESTATUS[0]}" -eq 0 ] || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
 }
 
@@ -155,19 +148,17 @@ changed_sources() {
 }
 
 # Tests that need no data, no screen and little time. They find most memory and thread errors.
-fast_tests=(core_test geometry_test guidance_test casefile_test volume_test capture_test)
+fast_programs=(base_test case_test target_test rig_test)
+fast_tests='^(base/.*|case/casefile|target/guidance|target/stimulation|rig/capture|rig/health)$'
 
-run_sanitized() {  # PRESET TEST..: builds them in build/PRESET and runs each
-  local preset=$1; shift
+run_sanitized() {  # PRESET: builds the fast programs in build/PRESET and runs the fast tests
+  local preset=$1
   [ -f "build/$preset/build.ninja" ] ||
     cmake --preset "$preset" -DFACENAV_BUILD_TESTS=ON -DFACENAV_BUILD_UI=OFF -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring $preset"
-  say "building under $preset: $*"
-  cmake --build "build/$preset" --target "$@" >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building $preset"; }
-  for test in "$@"; do
-    say "$preset: $test"
-    ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
-      xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "build/$preset/bin/$test" --gtest_brief=1 || fail "$test failed under $preset"
-  done
+  say "building under $preset: ${fast_programs[*]}"
+  cmake --build "build/$preset" --target "${fast_programs[@]}" >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building $preset"; }
+  ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
+    xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir "build/$preset" --output-on-failure -R "$fast_tests" || fail "a test failed under $preset"
 }
 
 run_checks() {
@@ -180,21 +171,24 @@ run_checks() {
     say "clang-tidy on ${#changed[@]} of them"
     printf '%s\0' "${changed[@]}" | xargs -0 -r -n 1 -P "$(nproc)" clang-tidy -p build/release --quiet 2>"$log" || fail "clang-tidy: see above"
   fi
-  cmake --build build/release --target facenav layers_test >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
-  "$binaries/layers_test" --gtest_brief=1 || fail "layers: see above"
-  run_sanitized asan-ubsan "${fast_tests[@]}"
+  cmake --build build/release --target facenav facenav-lab architecture_test >"$log" 2>&1 || { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
+  "$binaries/architecture_test" --gtest_brief=1 || fail "layers: see above"
+  run_sanitized asan-ubsan
   say "checked"
 }
 
 case "${1:-}" in
   test)
     shift
+    tier=(-LE full)
+    if [ "${1:-}" = --full ]; then tier=(-L full); shift; fi
     set_up "${packages[@]}" "${test_packages[@]}"
     install_orthanc
-    build ON
+    fetch_virtual_patient
+    build ON all facenav-lab
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
-    xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "$@"
+    xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "${tier[@]}" "$@"
     ;;
   check)
     shift
@@ -205,31 +199,38 @@ case "${1:-}" in
   benchmark)
     shift
     set_up "${packages[@]}" "${test_packages[@]}"
+    fetch_virtual_patient
     cmake --preset release -DFACENAV_BUILD_BENCHMARKS=ON -DFACENAV_ONLY= >"$log" 2>&1 || explain "configuring"
     say "building the benchmarks"
-    cmake --build build/release --target facenav facenav_benchmarks >"$log" 2>&1 ||
+    cmake --build build/release --target facenav facenav-lab facenav_benchmarks >"$log" 2>&1 ||
       { grep -E -m5 'error:|FAILED' "$log" >&2; explain "building"; }
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     run_benchmarks "${1:-}"
     ;;
   build)
     set_up "${packages[@]}"
-    build "$(tests_wanted)"
+    build "$(tests_wanted)" facenav facenav-bids facenav-gui facenav-lab
     say "built: $binaries/facenav"
     ;;
   gui)
     shift
     set_up "${packages[@]}"
-    build "$(tests_wanted)"
+    build "$(tests_wanted)" facenav facenav-gui
     [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || fail "no display here; start this on a desktop (or under xvfb-run)"
     cd "$caller" && exec "$binaries/facenav-gui" "$@"
     ;;
   '' | help)
     sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
-  *)
+  demo | simulate | evaluate)  # the laboratory; without the window
     set_up "${packages[@]}" python3-skimage
-    build "$(tests_wanted)"
+    fetch_virtual_patient
+    build "$(tests_wanted)" facenav facenav-lab
+    cd "$caller" && exec "$binaries/facenav" "$@"
+    ;;
+  *)
+    set_up "${packages[@]}"
+    build "$(tests_wanted)" facenav facenav-bids
     cd "$caller" && exec "$binaries/facenav" "$@"
     ;;
 esac

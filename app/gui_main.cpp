@@ -13,19 +13,19 @@
 #include <cstdio>
 #include <memory>
 
-#include "shell/appearance.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "home/home_window.h"
-#include "shell/main_window.h"
+#include "prepare/prepare_workspace.h"
 #include "prepare/worklist_presenter.h"
 #include "registrations.h"
-#include "shell/report_pdf.h"
 #include "settings_flags.h"
 #include "setup/setup_window.h"
-#include "prepare/prepare_workspace.h"
+#include "shell/appearance.h"
+#include "shell/main_window.h"
+#include "shell/report_pdf.h"
 
 namespace {
 

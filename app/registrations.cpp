@@ -31,7 +31,6 @@ steps::Registrations makeRegistrations() {
   all.head_segmenters.add("head", "everything inside the skin", segmentation::makeHeadSegmenter);
   all.brain_segmenters.add("brain", "tissue classes on a deformable surface",
                            segmentation::makeBrainSegmenter);
-  all.brain_segmenters.add("bet", "plain deformable surface", segmentation::makeBetSegmenter);
   all.brain_segmenters.add("prior", "learned outline fitted to the scan, any contrast",
                            segmentation::makePriorSegmenter);
   all.aligners.add("surface", "robust point-to-plane on the skin's distance field",

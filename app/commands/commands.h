@@ -27,7 +27,6 @@ void addReport(CLI::App& app, Context& context);
 void addThreshold(CLI::App& app, Context& context);
 void addHotspot(CLI::App& app, Context& context);
 void addNote(CLI::App& app, Context& context);
-void addSimulate(CLI::App& app, Context& context);
 void addWorklist(CLI::App& app, Context& context);
 void addLabel(CLI::App& app, Context& context);
 void addCheck(CLI::App& app, Context& context);
@@ -40,16 +39,7 @@ void addCoil(CLI::App& app, Context& context);
 void addFaceCase(CLI::App& app, Context& context);
 void addImport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
-void addEvaluate(CLI::App& app, Context& context);
-/// `facenav evaluate prepare`, below evaluate.
-void addEvaluatePrepare(CLI::App& evaluate, Context& context);
-/// `facenav evaluate rigs`, below evaluate.
-void addEvaluateRigs(CLI::App& evaluate, Context& context);
-void addEvaluateSkin(CLI::App& evaluate, Context& context);
-/// `facenav evaluate return`, below evaluate.
-void addEvaluateReturn(CLI::App& evaluate, Context& context);
-void addEvaluatePairs(CLI::App& evaluate, Context& context);
-void addDemo(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);
+void addHelp(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "support/ball_case.h"
 #include "support/command_line.h"
@@ -47,15 +48,102 @@ TEST_F(CommandLine, UnknownVerbIsWrongUsage) {
 
 TEST_F(CommandLine, MissingArgumentIsWrongUsage) { EXPECT_EQ(runFacenav("prepare").status, 2); }
 
-TEST_F(CommandLine, HelpOfEveryVerbSucceeds) {
-  for (const char* verb :
-       {"series", "pacs",      "prepare", "check",  "brain",    "worklist",  "label",    "locate", "target",
-        "plan",   "threshold", "hotspot", "note",   "export",   "calibrate", "align",    "cloud",  "track",
-        "guide",  "sessions",  "pulses",  "report", "simulate", "marker",    "settings", "demo"}) {
-    const auto result = runFacenav(std::string(verb) + " --help");
-    EXPECT_EQ(result.status, 0) << verb;
-    EXPECT_THAT(result.output, HasSubstr("Usage")) << verb;
+TEST_F(CommandLine, HelpHoldsEveryVerb) {
+  const auto all = runFacenav("help --all");
+  EXPECT_EQ(all.status, 0) << all.errors;
+  for (const char* verb : {"series",
+                           "pacs find",
+                           "prepare",
+                           "check",
+                           "brain",
+                           "worklist",
+                           "label",
+                           "locate",
+                           "target",
+                           "plan",
+                           "threshold",
+                           "hotspot",
+                           "note",
+                           "export",
+                           "cameras",
+                           "calibrate",
+                           "rig new",
+                           "rig check",
+                           "record",
+                           "marker",
+                           "coil add",
+                           "align",
+                           "cloud",
+                           "track",
+                           "guide",
+                           "projector calibrate",
+                           "sessions",
+                           "pulses",
+                           "report",
+                           "face-case",
+                           "import",
+                           "calibrate-coil",
+                           "simulate",
+                           "evaluate",
+                           "evaluate prepare",
+                           "settings",
+                           "demo"})
+    EXPECT_THAT(all.output, HasSubstr("Usage: facenav " + std::string(verb) + " ")) << verb;
+}
+
+TEST_F(CommandLine, HelpVerbIsTheVerbsHelp) {
+  for (const char* verb : {"prepare", "rig new"}) {
+    const auto by_option = runFacenav(std::string(verb) + " --help"),
+               by_verb = runFacenav("help " + std::string(verb));
+    EXPECT_EQ(by_option.status, 0);
+    EXPECT_EQ(by_verb.status, 0);
+    EXPECT_EQ(by_verb.output, by_option.output);
+    EXPECT_THAT(by_verb.output, HasSubstr("Usage: facenav " + std::string(verb)));
   }
+  EXPECT_EQ(runFacenav("help").output, runFacenav("--help").output);
+}
+
+TEST_F(CommandLine, HelpListsTheVerbsByStep) {
+  const std::string help = runFacenav("--help").output;
+  std::size_t before = 0;
+  for (const char* line :
+       {"\nPrepare:\n", "\n  prepare ", "\nPlan:\n", "\n  target ", "\nSet up:\n", "\n  rig ", "\nAlign:\n",
+        "\n  align ", "\nTreat:\n", "\n  track ", "\nReview:\n", "\n  report ", "\nHome:\n", "\n  import ",
+        "\nLab and others:\n", "\n  settings "}) {
+    const std::size_t at = help.find(line, before);
+    ASSERT_NE(at, std::string::npos) << line;
+    before = at;
+  }
+}
+
+TEST_F(CommandLine, NoLineOfAnyHelpIsLongerThan80) {
+  for (const char* words : {"help --all", "--help"}) {
+    std::istringstream help(runFacenav(words).output);
+    int lines = 0;
+    for (std::string line; std::getline(help, line); ++lines) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_GT(lines, 50) << words;
+  }
+}
+
+TEST_F(CommandLine, MistypedVerbIsToldTheNearest) {
+  for (const auto& [typed, told] : std::vector<std::pair<std::string, std::string>>{
+           {"prepar x -o y", "no verb 'prepar'; did you mean 'prepare'? (see 'facenav --help')"},
+           {"aling --help", "no verb 'aling'; did you mean 'align'? (see 'facenav --help')"},
+           {"help trak", "no verb 'trak'; did you mean 'track'? (see 'facenav --help')"},
+           {"rig nwe", "rig has no verb 'nwe'; did you mean 'new'? (see 'facenav rig --help')"},
+           {"frobnicate", "no verb 'frobnicate' (see 'facenav --help')"}}) {
+    const auto result = runFacenav(typed);
+    EXPECT_EQ(result.status, 2) << typed;
+    EXPECT_EQ(result.errors, "facenav: " + told + "\n");
+    EXPECT_EQ(result.output, "");
+  }
+}
+
+TEST_F(CommandLine, VersionNamesTheCommit) {
+  const auto result = runFacenav("--version");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output,
+              ::testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+ \\(commit ([0-9a-f]+|unknown)\\)\n"));
 }
 
 TEST_F(CommandLine, SeriesOfAMissingFolder) {

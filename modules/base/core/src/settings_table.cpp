@@ -3,31 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
-#include <numeric>
 #include <sstream>
 
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
+#include "facenav/core/near_name.h"
 #include "facenav/core/number_text.h"
 
 namespace facenav {
 inline namespace core {
 namespace {
-
-/// Letters to insert, remove or replace to make one of the other (Levenshtein 1966).
-std::size_t lettersApart(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t before = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = before + (a[i] != b[j]);
-      before = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, before + 1, replaced});
-    }
-  }
-  return row.back();
-}
 
 std::string afterPoint(const std::string& key) { return key.substr(key.find('.') + 1); }
 

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "facenav/core/utc_time.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/utc_time.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/guidance/coil_plate.h"

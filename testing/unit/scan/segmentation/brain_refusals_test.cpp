@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "facenav/peers/bet_segmenter.h"
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
 #include "head_phantom.h"
@@ -14,7 +15,7 @@
 namespace facenav {
 namespace {
 
-using segmentation::makeBetSegmenter;
+using peers::makeBetSegmenter;
 using segmentation::makeBrainSegmenter;
 using testing::HeadPhantom;
 using testing::makeHeadPhantom;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "facenav/peers/bet_segmenter.h"
 #include "facenav/segmentation/segmenter.h"
 #include "facenav/segmentation/tissue_share.h"
 #include "facenav/volume/mask_morphology.h"
@@ -15,7 +16,7 @@
 namespace facenav {
 namespace {
 
-using segmentation::makeBetSegmenter;
+using peers::makeBetSegmenter;
 using segmentation::makeBrainSegmenter;
 using testing::HeadPhantom;
 using testing::makeHeadPhantom;

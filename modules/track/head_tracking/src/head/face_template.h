@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "face_region.h"
-#include "head/face_surface.h"
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/geometry/rotation.h"
+#include "head/face_surface.h"
 #include "image_pyramid.h"
 
 namespace facenav::head_tracking {

@@ -3,8 +3,8 @@
 // skin by semi-global smoothing (Hirschmueller 2008), sub-pixel. Error about a millimetre; dense dots give
 // 0.2 mm.
 
-#include "head/face_surface.h"
 #include "facenav/cameras/stereo_frame.h"
+#include "head/face_surface.h"
 
 namespace facenav::head_tracking {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "head/face_surface.h"
 #include "facenav/cameras/stereo_rig.h"
+#include "head/face_surface.h"
 #include "patch_model.h"
 
 namespace facenav::head_tracking {

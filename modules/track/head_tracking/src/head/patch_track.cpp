@@ -261,7 +261,8 @@ void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fi
 }
 
 // From the head's frame to the right camera's. A head that moves between two exposures looks like it.
-std::optional<health::RightPoseObservation> PatchTrack::rightCamera(const PoseFit& fit, const Verdict& verdict) const {
+std::optional<health::RightPoseObservation> PatchTrack::rightCamera(const PoseFit& fit,
+                                                                    const Verdict& verdict) const {
   if (!fit.sides) return std::nullopt;
   const Eigen::Isometry3d right_T_head = camera_.rig().right_T_left.isometry() * fit.motion;
   Matrix6d to_right = Matrix6d::Zero(), to_camera = Matrix6d::Zero();

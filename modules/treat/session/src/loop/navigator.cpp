@@ -127,8 +127,8 @@ double Navigator::track(const cameras::StereoFrame& frame, NavigationState& stat
   const auto right_T_left = trust_.rig().right_T_left();
   const auto head =
       head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false), right_T_left});
-  const auto coil = coil_->track(
-      frame, {head.exposure_offset, head.work, right_T_left, trust_.rig().rightTurnSigma_rad()});
+  const auto coil =
+      coil_->track(frame, {head.exposure_offset, head.work, right_T_left, trust_.rig().rightTurnSigma_rad()});
   coil_deferred_ = coil.deferred;
   state.head = head;
   state.head_detail = head.loss_detail;
@@ -156,7 +156,8 @@ bool Navigator::checkRegistration(bool is_withheld_until) {
   return trust_.checkRegistration(is_withheld_until);
 }
 
-/// Asks whether the poses may be shown. It is judged at the pose that is tracked, also while that is withheld.
+/// Asks whether the poses may be shown. It is judged at the pose that is tracked, also while that is
+/// withheld.
 void Navigator::judge(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
   trust_.addFace(frame, state.head, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
   state.check = trust_.finding();

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "facenav/core/utc_time.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/utc_time.h"
 #include "facenav/geometry/interpolate.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"

@@ -37,8 +37,6 @@ class Segmenter {
 /// Filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR and CT. In
 /// an MR without the learned prior's view of air a warning says that pads were not told from skin.
 std::unique_ptr<Segmenter> makeHeadSegmenter();
-/// "bet": a deformable surface after Smith 2002, adapted to heads with a long neck.
-std::unique_ptr<Segmenter> makeBetSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
 /// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to
 /// the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without the

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "demo/demo_run.h"
 #include "demo/virtual_patient_files.h"
 #include "facenav/scene/display.h"

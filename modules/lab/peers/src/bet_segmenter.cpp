@@ -1,10 +1,13 @@
+#include "facenav/peers/bet_segmenter.h"
+
 #include "brain_checks.h"
 #include "brain_start.h"
-#include "facenav/segmentation/segmenter.h"
 #include "facenav/volume/regrid.h"
 
-namespace facenav::segmentation {
+namespace facenav::peers {
 namespace {
+
+using namespace segmentation;
 
 class BetSegmenter : public Segmenter {
  public:
@@ -25,6 +28,6 @@ class BetSegmenter : public Segmenter {
 
 }  // namespace
 
-std::unique_ptr<Segmenter> makeBetSegmenter() { return std::make_unique<BetSegmenter>(); }
+std::unique_ptr<segmentation::Segmenter> makeBetSegmenter() { return std::make_unique<BetSegmenter>(); }
 
-}  // namespace facenav::segmentation
+}  // namespace facenav::peers

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "evaluate/prepare_evaluation.h"
 #include "evaluate/synthetic_prepare.h"
 #include "facenav/core/whole_file.h"

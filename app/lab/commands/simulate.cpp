@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "commands/option_flags.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/room/minc_volume.h"

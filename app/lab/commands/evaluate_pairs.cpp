@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "evaluate/face_to_face.h"
 #include "evaluate/person_pairs.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "evaluate/skin_evaluation.h"
 
 namespace facenav::app {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "commands/option_flags.h"
 #include "evaluate/evaluation_head.h"
 #include "evaluate/evaluation_plan.h"

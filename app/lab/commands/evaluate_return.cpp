@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <set>
 
-#include "commands/commands.h"
+#include "commands/lab_commands.h"
 #include "evaluate/return_run.h"
 #include "facenav/core/whole_file.h"
 

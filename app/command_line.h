@@ -1,0 +1,31 @@
+#pragma once
+// The command line of one program: its verbs by step, its help, and how it ends. facenav and facenav-lab
+// differ in their verbs alone.
+
+#include <string>
+#include <vector>
+
+#include "commands/commands.h"
+
+namespace facenav::app {
+
+/// The verbs of one step of the clinic's path. --help lists them together.
+struct VerbGroup {
+  const char* step;
+  std::vector<void (*)(CLI::App&, Context&)> verbs;
+};
+
+struct Program {
+  std::vector<VerbGroup> groups;
+  std::vector<std::string> verbs_with_settings;                // they take --settings and --set
+  void (*add_peers)(steps::Registrations& methods) = nullptr;  // more implementations; null: none
+};
+
+/// Parses, runs one verb, and turns exceptions into one line. Returns the exit status: 0 done, 1 could not be
+/// done, 2 wrong usage.
+int runProgram(const Program& program, int argc, char** argv);
+
+/// Full path of the running program.
+std::filesystem::path programPath();
+
+}  // namespace facenav::app

@@ -1,0 +1,49 @@
+// facenav help [VERB ..]: the same as `facenav VERB --help`; facenav help --all: every verb.
+
+#include <cstdio>
+
+#include "command_line.h"
+#include "commands/commands.h"
+#include "lab_program.h"
+#include "verb_words.h"
+
+namespace facenav::app {
+namespace {
+
+struct HelpRequest {
+  std::vector<std::string> words;
+  bool is_all = false;
+};
+
+void printHelp(const CLI::App& program, const NamedVerb& named) {
+  const auto text = program.get_formatter()->make_help(named.verb, named.words, CLI::AppFormatMode::Normal);
+  std::printf("%s", text.c_str());
+}
+
+/// The verb, then those below it.
+void printAll(const CLI::App& program, const NamedVerb& named) {
+  std::printf("-- %s\n", named.words.c_str());
+  printHelp(program, named);
+  for (const CLI::App* below : named.verb->get_subcommands([](const CLI::App*) { return true; }))
+    printAll(program, {below, named.words + " " + below->get_name()});
+}
+
+}  // namespace
+
+void addHelp(CLI::App& app, Context&) {
+  auto* verb = app.add_subcommand("help", "explains a verb, as 'facenav VERB --help' does");
+  verb->group("");  // the last lines of --help tell of it
+  auto request = std::make_shared<HelpRequest>();
+  verb->add_option("VERB", request->words,
+                   "a verb, and the one below it: 'facenav help rig new'; without one: the list of verbs");
+  verb->add_flag("--all", request->is_all, "this verb and all below it, or all verbs");
+  verb->callback([&app, request] {
+    const auto named = namedVerb(app, request->words);
+    if (!request->is_all) return printHelp(app, named);
+    printAll(app, named);
+    const bool is_lab = programPath().filename() == "facenav-lab";
+    if (named.verb == &app && !is_lab) printHelpOfLab();
+  });
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,13 @@
+#pragma once
+// BetSegmenter: a peer that the brain segmentation is compared with. The plain deformable surface after Smith
+// (Human Brain Mapping 17, 2002), adapted to heads with a long neck.
+
+#include <memory>
+
+#include "facenav/segmentation/segmenter.h"
+
+namespace facenav::peers {
+
+std::unique_ptr<segmentation::Segmenter> makeBetSegmenter();  // "bet"
+
+}  // namespace facenav::peers
