@@ -119,12 +119,12 @@ cameras::StereoFrame takeMarked(capture::FrameSource& source, const LiveChoice& 
                                 const Context& context) {
   constexpr double kLimit_s = 30;
   const auto& methods = context.registrations;
-  steps::MarkedStill still(
+  steps::AutomaticCapture still(
       source.rig(), {methods.face_detector(),
                      methods.coil_trackers.create(methods.coil_trackers.defaultName()), coilOf(choice.coil)});
   if (!context.is_quiet)
     std::fprintf(stderr, "look at the cameras; %s; the picture is taken by itself\n", still.words().c_str());
-  steps::takeMarkedStill(source, still, kLimit_s, context.monitor);
+  steps::takeStillCapture(source, still, kLimit_s, context.monitor);
   return still.still();
 }
 

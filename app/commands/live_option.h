@@ -9,7 +9,7 @@
 
 #include "commands/coil_option.h"
 #include "context.h"
-#include "facenav/align/marked_still.h"
+#include "facenav/align/automatic_capture.h"
 #include "facenav/capture/recording.h"
 #include "facenav/setup/verified_cameras.h"
 
@@ -40,8 +40,8 @@ void requireUnmoved(steps::VerifiedCameras& cameras, const std::string& rig);
 capture::CapturePair askForCapture(capture::FrameSource& source);
 /// The same where there may be no projector: nothing where the user says so.
 std::optional<capture::CapturePair> askForCaptureIfProjector(capture::FrameSource& source);
-/// Waits until both cameras see the face and, at rest, the coil's marker (marked_still.h), half a minute at
-/// most. Throws Error.
+/// Waits until both cameras see the face and, at rest, the coil's marker (automatic_capture.h), half a minute
+/// at most. Throws Error.
 cameras::StereoFrame takeMarked(capture::FrameSource& source, const LiveChoice& choice,
                                 const Context& context);
 

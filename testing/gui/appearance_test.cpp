@@ -12,9 +12,9 @@
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
+#include "prepare/prepare_workspace.h"
 #include "shell/main_window.h"
 #include "treat/figures_panel.h"
-#include "prepare/prepare_workspace.h"
 #include "treat/treat_workspace.h"
 
 namespace facenav::ui {

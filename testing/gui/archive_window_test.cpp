@@ -10,14 +10,14 @@
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
-#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
-#include "shell/main_window.h"
-#include "support/orthanc.h"
 #include "prepare/archive_page.h"
 #include "prepare/prepare_workspace.h"
+#include "registrations.h"
+#include "shell/main_window.h"
+#include "support/orthanc.h"
 
 namespace facenav::ui {
 namespace {

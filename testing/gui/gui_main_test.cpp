@@ -5,8 +5,8 @@
 #include <QApplication>
 #include <QSettings>
 
-#include "shell/appearance.h"
 #include "facenav/scene/display.h"
+#include "shell/appearance.h"
 #include "support/test_data.h"
 
 int main(int argc, char** argv) {

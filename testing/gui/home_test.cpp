@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "shell/appearance.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/zip_file.h"
@@ -17,6 +16,7 @@
 #include "home/fitted_words.h"
 #include "home/home_window.h"
 #include "home/sign_view.h"
+#include "shell/appearance.h"
 #include "support/made_session.h"
 #include "treat_fixtures.h"
 

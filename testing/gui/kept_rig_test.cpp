@@ -11,16 +11,16 @@
 #include <cstdlib>
 #include <thread>
 
-#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "home/fitted_words.h"
-#include "shell/main_window.h"
 #include "setup/setup_window.h"
+#include "shell/appearance.h"
+#include "shell/main_window.h"
 #include "support/setup_room.h"
 #include "support/v4l2_tree.h"
-#include "treat_fixtures.h"
 #include "treat/cameras_panel.h"
 #include "treat/treat_workspace.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

@@ -6,11 +6,11 @@
 #include <QPushButton>
 
 #include "facenav/scene/display.h"
-#include "treat/treat_presenter.h"
-#include "support/setup_room.h"
-#include "treat_fixtures.h"
-#include "treat/cameras_panel.h"
 #include "shell/scroll_column.h"
+#include "support/setup_room.h"
+#include "treat/cameras_panel.h"
+#include "treat/treat_presenter.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

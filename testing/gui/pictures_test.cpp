@@ -22,13 +22,13 @@
 #include "facenav/core/processor_time.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "shell/main_window.h"
-#include "unit/treat/session/session_fakes.h"
-#include "shell/scene_view.h"
 #include "plan/brain_look_panel.h"
 #include "prepare/distance_legend.h"
 #include "prepare/prepare_workspace.h"
+#include "shell/main_window.h"
+#include "shell/scene_view.h"
 #include "treat/treat_workspace.h"
+#include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui {
 namespace {

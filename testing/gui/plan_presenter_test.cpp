@@ -9,8 +9,8 @@
 #include "facenav/guidance/handle.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "plan/head_presenter.h"
 #include "plan/handle_panel.h"
+#include "plan/head_presenter.h"
 
 namespace facenav::ui {
 namespace {

@@ -12,11 +12,11 @@
 #include "facenav/core/processor_time.h"
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
+#include "plan/map_legend.h"
 #include "plan/overlay_presenter.h"
 #include "plan/plan_presenter.h"
-#include "unit/treat/session/session_fakes.h"
 #include "treat/live_slices.h"
-#include "plan/map_legend.h"
+#include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui {
 namespace {

@@ -11,13 +11,13 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "shell/appearance.h"
 #include "facenav/casefile/kept_session.h"
-#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "shell/main_window.h"
+#include "registrations.h"
 #include "review/review_workspace.h"
+#include "shell/appearance.h"
+#include "shell/main_window.h"
 
 namespace facenav::ui {
 namespace {

@@ -17,12 +17,12 @@
 #include "facenav/home/home_case.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "shell/main_window.h"
 #include "pdf_text.h"
 #include "review/pulse_table.h"
-#include "support/made_session.h"
-#include "shell/scene_view.h"
 #include "review/review_workspace.h"
+#include "shell/main_window.h"
+#include "shell/scene_view.h"
+#include "support/made_session.h"
 
 namespace facenav::ui {
 namespace {

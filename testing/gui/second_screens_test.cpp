@@ -12,11 +12,11 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
 #include "shell/main_window.h"
-#include "treat_fixtures.h"
 #include "treat/guidance_screen.h"
 #include "treat/projector_screen.h"
 #include "treat/tip_panel.h"
 #include "treat/treat_workspace.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

@@ -7,13 +7,13 @@
 #include <QtTest/QTest>
 #include <cstdlib>
 
-#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/fitted_words.h"
 #include "setup/board_screen.h"
 #include "setup/latency_screen.h"
 #include "setup/setup_window.h"
+#include "shell/appearance.h"
 #include "support/setup_room.h"
 
 namespace facenav::ui {

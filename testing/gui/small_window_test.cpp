@@ -13,15 +13,15 @@
 #include <QSpinBox>
 #include <cstdlib>
 
-#include "shell/appearance.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
-#include "shell/main_window.h"
-#include "support/made_session.h"
-#include "shell/scene_view.h"
-#include "shell/scroll_column.h"
 #include "prepare/prepare_workspace.h"
 #include "review/review_workspace.h"
+#include "shell/appearance.h"
+#include "shell/main_window.h"
+#include "shell/scene_view.h"
+#include "shell/scroll_column.h"
+#include "support/made_session.h"
 #include "treat/treat_workspace.h"
 
 namespace facenav::ui {

@@ -11,15 +11,15 @@
 #include <cstdlib>
 
 #include "facenav/scene/display.h"
-#include "shell/main_window.h"
-#include "treat_fixtures.h"
 #include "shell/elided_label.h"
+#include "shell/main_window.h"
+#include "shell/scroll_column.h"
 #include "treat/figures_panel.h"
 #include "treat/motor_panel.h"
-#include "shell/scroll_column.h"
 #include "treat/session_panel.h"
 #include "treat/tip_panel.h"
 #include "treat/treat_workspace.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

@@ -8,16 +8,16 @@
 #include <QApplication>
 #include <cstdlib>
 
-#include "shell/appearance.h"
 #include "facenav/casefile/sign_off.h"
-#include "registrations.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/home_window.h"
+#include "registrations.h"
+#include "shell/appearance.h"
 #include "shell/main_window.h"
+#include "shell/second_screens.h"
 #include "treat/guidance_screen.h"
 #include "treat/projector_screen.h"
-#include "shell/second_screens.h"
 #include "treat/treat_workspace.h"
 
 namespace facenav::ui {

@@ -176,7 +176,7 @@ TEST_F(TreatPresenterTest, TheSessionClockStopsWithTheRecordingWhichIsAnEvent) {
 TEST(SessionEnd, AnEndThatFailsLetsTheReportAndTheWindowGoOn) {
   std::atomic<bool> is_reported{false};
   {
-    Retirement retirement;
+    AsynchronousShutdown retirement;
     endBeside(
         retirement, [] { throw Error("the disk is full"); }, [&] { is_reported = true; });
   }  // waits for both

@@ -15,8 +15,8 @@
 #include "shell/main_window.h"
 #include "support/changed_settings.h"
 #include "support/made_session.h"
-#include "treat_fixtures.h"
 #include "treat/treat_workspace.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "facenav/scene/display.h"
 #include "shell/main_window.h"
-#include "treat_fixtures.h"
 #include "shell/scene_view.h"
 #include "treat/camera_row.h"
 #include "treat/figures_panel.h"
 #include "treat/treat_workspace.h"
+#include "treat_fixtures.h"
 
 namespace facenav::ui {
 namespace {

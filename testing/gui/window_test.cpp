@@ -10,11 +10,11 @@
 
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
+#include "prepare/prepare_workspace.h"
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
 #include "shell/slice_view.h"
 #include "treat/cameras_panel.h"
-#include "prepare/prepare_workspace.h"
 
 #define FACENAV_NEEDS_DISPLAY() \
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run"

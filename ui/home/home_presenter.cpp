@@ -3,8 +3,8 @@
 #include <QSettings>
 #include <utility>
 
-#include "facenav/core/error.h"
 #include "facenav/coil_library/coil_library.h"
+#include "facenav/core/error.h"
 #include "treat/session_end.h"
 
 namespace facenav::ui {
@@ -145,11 +145,11 @@ void HomePresenter::startTrackers(std::shared_ptr<const steps::AlignmentOutcome>
   else
     seen.rig = *cameras_.rig();
   steps::TreatmentRequest request{home_->store,
-                                     seen,
-                                     !recording_.has_value(),
-                                     home_->coil,
-                                     std::move(outcome),
-                                     coil_library::calibrationReminder(home_->card)};
+                                  seen,
+                                  !recording_.has_value(),
+                                  home_->coil,
+                                  std::move(outcome),
+                                  coil_library::calibrationReminder(home_->card)};
   if (!recording_) request.keepLearnt = cameras_.keeper();
   request.focus_caution = coil_library::focusCaution(home_->card);
   steps::CameraTurnover cameras{recording_ ? nullptr : cameras_.opener(), cameras_.release()};
@@ -181,8 +181,7 @@ steps::HomeAdvice HomePresenter::advice() {
   if (!treatment_) return {};
   const auto now = state();
   if (treatment_->session().hasEnded() && now->failure.empty())
-    return {steps::HomeStep::sit, steps::HomeSign::none, 0, "The recording is over: press FINISH.",
-            false};
+    return {steps::HomeStep::sit, steps::HomeSign::none, 0, "The recording is over: press FINISH.", false};
   return steps::homeAdvice(*now, other_coil_->sees(*now));
 }
 

@@ -10,10 +10,10 @@
 #include "facenav/home/home_advice.h"
 #include "facenav/home/home_case.h"
 #include "facenav/treat/treatment.h"
-#include "treat/cameras_presenter.h"
-#include "shell/retirement.h"
+#include "shell/asynchronous_shutdown.h"
 #include "shell/services.h"
 #include "shell/task_runner.h"
+#include "treat/cameras_presenter.h"
 
 namespace facenav::ui {
 
@@ -85,7 +85,7 @@ class HomePresenter : public QObject {
   std::filesystem::path session_;
   std::optional<int> planned_;
   session::PulseCounts counts_;  // of the ended session
-  Retirement retirement_;
+  AsynchronousShutdown retirement_;
 };
 
 }  // namespace facenav::ui

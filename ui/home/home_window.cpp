@@ -10,9 +10,9 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
-#include "shell/appearance.h"
 #include "home/fitted_words.h"
 #include "home/sign_view.h"
+#include "shell/appearance.h"
 #include "shell/image_view.h"
 
 namespace facenav::ui {

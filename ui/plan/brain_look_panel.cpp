@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "shell/appearance.h"
 #include "prepare/distance_legend.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 namespace {

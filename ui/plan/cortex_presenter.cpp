@@ -10,7 +10,7 @@ namespace {
 
 const char* const kPeel = "plan/peel_mm";
 const char* const kLook = "plan/look";
-constexpr int kBeside = 3;  // index after the three looks
+constexpr int kBesideCortex = 3;  // index after the three looks
 
 }  // namespace
 
@@ -48,14 +48,14 @@ void CortexPresenter::setLook(scene::BrainLook look) { choose(look, false); }
 void CortexPresenter::setBesideModel() { choose(scene::BrainLook::distance, true); }
 
 void CortexPresenter::restoreLook() {
-  const int last = std::clamp(settings_.value(kLook, 0).toInt(), 0, kBeside);
-  last == kBeside ? setBesideModel() : setLook(scene::BrainLook(last));
+  const int last = std::clamp(settings_.value(kLook, 0).toInt(), 0, kBesideCortex);
+  last == kBesideCortex ? setBesideModel() : setLook(scene::BrainLook(last));
 }
 
 void CortexPresenter::choose(scene::BrainLook look, bool is_beside_model) {
   look_ = look;
   is_beside_model_ = is_beside_model;
-  settings_.setValue(kLook, is_beside_model ? kBeside : int(look));
+  settings_.setValue(kLook, is_beside_model ? kBesideCortex : int(look));
   failure_.clear();
   make();
   emit changed();

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "facenav/casefile/protocol.h"
+#include "facenav/coil_library/coil_library.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/compare_targets.h"
 #include "facenav/guidance/handle.h"
-#include "facenav/coil_library/coil_library.h"
 #include "facenav/plan/coil_slice_sheet.h"
 #include "plan/typed_coordinates.h"
 
@@ -217,7 +217,8 @@ QStringList PlanPresenter::libraryCoils() const {
 }
 
 void PlanPresenter::setCoilNamed(const QString& name) {
-  attempt([&] { model_.setCoil(coil_library::findCoil(coil_library::coilLibrary(), name.toStdString()).file); });
+  attempt(
+      [&] { model_.setCoil(coil_library::findCoil(coil_library::coilLibrary(), name.toStdString()).file); });
 }
 
 std::optional<guidance::Dose> PlanPresenter::doseInForce() const {

@@ -4,8 +4,8 @@
 
 #include <QObject>
 
-#include "facenav/scene/coil_slices.h"
 #include "facenav/plan/plan_editor.h"
+#include "facenav/scene/coil_slices.h"
 #include "shell/case_model.h"
 
 namespace facenav::ui {

@@ -11,16 +11,16 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "shell/appearance.h"
-#include "shell/linked_views.h"
 #include "plan/brain_look_panel.h"
 #include "plan/handle_panel.h"
 #include "plan/map_legend.h"
-#include "shell/narrow_label.h"
 #include "plan/place_panel.h"
+#include "plan/target_tools.h"
+#include "shell/appearance.h"
+#include "shell/linked_views.h"
+#include "shell/narrow_label.h"
 #include "shell/scroll_column.h"
 #include "shell/shown_tools.h"
-#include "plan/target_tools.h"
 
 namespace facenav::ui {
 

@@ -11,8 +11,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "shell/appearance.h"
 #include "prepare/archive_settings.h"
+#include "shell/appearance.h"
 #include "shell/scroll_column.h"
 
 namespace facenav::ui {

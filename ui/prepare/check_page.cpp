@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "prepare/edit_panel.h"
 #include "shell/appearance.h"
 #include "shell/linked_views.h"
-#include "prepare/edit_panel.h"
 #include "shell/scroll_column.h"
 #include "shell/wrapped_list.h"
 

@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "shell/appearance.h"
 #include "facenav/scene/cortex_picture.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 

@@ -10,8 +10,8 @@
 #include "facenav/editing/mask_autosave.h"
 #include "facenav/editing/scalpel.h"
 #include "shell/case_model.h"
-#include "shell/task_runner.h"
 #include "shell/slice_tool.h"
+#include "shell/task_runner.h"
 
 namespace facenav::ui {
 

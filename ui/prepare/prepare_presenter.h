@@ -4,8 +4,8 @@
 
 #include <QObject>
 
-#include "shell/case_model.h"
 #include "prepare/prepare_queue.h"
+#include "shell/case_model.h"
 
 namespace facenav::ui {
 

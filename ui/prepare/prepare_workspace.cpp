@@ -6,12 +6,12 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "shell/words_of_button.h"
 #include "prepare/archive_page.h"
 #include "prepare/check_page.h"
 #include "prepare/series_page.h"
 #include "prepare/sign_off_page.h"
 #include "prepare/worklist_page.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 

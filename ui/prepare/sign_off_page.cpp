@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "shell/appearance.h"
 #include "prepare/montage_view.h"
+#include "shell/appearance.h"
 #include "shell/wrapped_list.h"
 
 namespace facenav::ui {

@@ -65,7 +65,7 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
   steps::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
-                               model_.current().sign_off.has_draft};
+                            model_.current().sign_off.has_draft};
   if (!seen_.empty()) {  // the outlines are the first item
     claim.outlines_seen = seen_.front();
     claim.findings_seen.erase(claim.findings_seen.begin());

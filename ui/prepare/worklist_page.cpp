@@ -11,9 +11,9 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "prepare/worklist_delegate.h"
 #include "shell/appearance.h"
 #include "shell/elided_label.h"
-#include "prepare/worklist_delegate.h"
 
 namespace facenav::ui {
 

@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "shell/appearance.h"
 #include "review/chart_painter.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 namespace {

@@ -7,14 +7,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "shell/appearance.h"
 #include "facenav/core/settings_in_force.h"
-#include "facenav/review/pulse_pictures.h"
 #include "facenav/report/review_charts.h"
+#include "facenav/review/pulse_pictures.h"
 #include "review/chart_view.h"
-#include "shell/scene_view.h"
+#include "shell/appearance.h"
 #include "shell/colour_legend.h"
 #include "shell/narrow_label.h"
+#include "shell/scene_view.h"
 
 namespace facenav::ui {
 namespace {
@@ -160,7 +160,7 @@ void PulsesPage::showPulses() {
   } else {
     const auto& pulses = session->kept.pulses.pulses;
     layer_->set(steps::marksOf(pulses, session->places, presenter_.column(),
-                                  presenter_.marked() ? std::optional(presenter_.marked()) : std::nullopt));
+                               presenter_.marked() ? std::optional(presenter_.marked()) : std::nullopt));
     const auto range = steps::rangeOf(pulses, presenter_.column());
     legend_->set(range ? tr(words.name) : tr("no pulse has: %1").arg(tr(words.name)), words.unit,
                  words.decimals, range);

@@ -7,11 +7,11 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "review/time_strip.h"
 #include "shell/appearance.h"
 #include "shell/image_view.h"
-#include "shell/scene_view.h"
 #include "shell/narrow_label.h"
-#include "review/time_strip.h"
+#include "shell/scene_view.h"
 #include "shell/words_of_button.h"
 
 namespace facenav::ui {

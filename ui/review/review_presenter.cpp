@@ -5,11 +5,11 @@
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/review/mep_import.h"
-#include "facenav/report/pulse_map.h"
-#include "facenav/review/pulse_pictures.h"
 #include "facenav/home/returned_session.h"
+#include "facenav/report/pulse_map.h"
 #include "facenav/report/session_report.h"
+#include "facenav/review/mep_import.h"
+#include "facenav/review/pulse_pictures.h"
 #include "shell/report_pdf.h"
 
 namespace facenav::ui {
@@ -174,8 +174,8 @@ void ReviewPresenter::typeMep(int number, const QString& typed) {
 void ReviewPresenter::importMeps(const QString& csv, std::optional<double> offset_s) {
   attempt([&] {
     const auto file = steps::readMepFile(csv.toStdString());
-    const auto match = steps::matchMeps(file, session_->kept.pulses.pulses, offset_s,
-                                           settingsOf<steps::MepImportLimits>());
+    const auto match =
+        steps::matchMeps(file, session_->kept.pulses.pulses, offset_s, settingsOf<steps::MepImportLimits>());
     if (match.edits.empty())
       throw Error("no MEP is at the time of a pulse", file.name, "is it this session's file?");
     editor_.setMeps(match.edits);

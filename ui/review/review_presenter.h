@@ -9,9 +9,9 @@
 
 #include "facenav/guidance/mep_map.h"
 #include "facenav/report/pulse_columns.h"
+#include "facenav/report/session_review.h"
 #include "facenav/review/review_editor.h"
 #include "facenav/review/session_compare.h"
-#include "facenav/report/session_review.h"
 #include "shell/case_model.h"
 #include "shell/task_runner.h"
 

@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "shell/appearance.h"
 #include "review/replay_presenter.h"
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 namespace {

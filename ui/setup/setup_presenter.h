@@ -9,7 +9,7 @@
 
 #include "facenav/coil_library/coil_library.h"
 #include "facenav/setup/rig_setup.h"
-#include "shell/retirement.h"
+#include "shell/asynchronous_shutdown.h"
 #include "shell/services.h"
 #include "shell/task_runner.h"
 
@@ -111,7 +111,7 @@ class SetupPresenter : public QObject {
   std::string noted_;   // words of the check that was stored
   bool is_kept_ = false;
   std::optional<std::array<double, 2>> kept_row_times_s_;
-  Retirement retirement_;
+  AsynchronousShutdown retirement_;
 };
 
 }  // namespace facenav::ui

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "setup/board_screen.h"
-#include "treat/camera_choice.h"
 #include "shell/narrow_label.h"
+#include "treat/camera_choice.h"
 
 namespace facenav::ui {
 namespace {

@@ -8,10 +8,10 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "shell/appearance.h"
 #include "home/fitted_words.h"
 #include "setup/marked_picture.h"
 #include "setup/setup_tools.h"
+#include "shell/appearance.h"
 #include "shell/image_view.h"
 #include "shell/narrow_label.h"
 #include "shell/scroll_column.h"

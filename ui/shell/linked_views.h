@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "shell/case_model.h"
 #include "plan/coil_slice_view.h"
+#include "shell/case_model.h"
 #include "shell/scene_view.h"
 #include "shell/slice_view.h"
 

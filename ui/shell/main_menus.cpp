@@ -7,11 +7,11 @@
 
 #include "facenav/cameras/projector_model.h"
 #include "facenav/core/error.h"
-#include "shell/main_window.h"
+#include "prepare/prepare_workspace.h"
 #include "setup/projector_code_screen.h"
 #include "setup/setup_window.h"
+#include "shell/main_window.h"
 #include "shell/task_bar.h"
-#include "prepare/prepare_workspace.h"
 
 namespace facenav::ui {
 

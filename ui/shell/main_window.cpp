@@ -15,12 +15,12 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "shell/appearance.h"
-#include "shell/task_bar.h"
-#include "shell/window_header.h"
 #include "plan/plan_workspace.h"
 #include "prepare/prepare_workspace.h"
 #include "review/review_workspace.h"
+#include "shell/appearance.h"
+#include "shell/task_bar.h"
+#include "shell/window_header.h"
 #include "treat/treat_workspace.h"
 
 namespace facenav::ui {

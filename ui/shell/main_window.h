@@ -4,18 +4,18 @@
 
 #include <QMainWindow>
 
-#include "prepare/archive_presenter.h"
 #include "plan/cortex_presenter.h"
-#include "prepare/edit_presenter.h"
 #include "plan/place_presenter.h"
 #include "plan/plan_presenter.h"
+#include "prepare/archive_presenter.h"
+#include "prepare/edit_presenter.h"
 #include "prepare/prepare_presenter.h"
 #include "prepare/prepare_queue.h"
+#include "prepare/sign_off_presenter.h"
+#include "prepare/worklist_presenter.h"
 #include "review/replay_presenter.h"
 #include "review/review_presenter.h"
-#include "prepare/sign_off_presenter.h"
 #include "treat/treat_presenter.h"
-#include "prepare/worklist_presenter.h"
 
 class QStackedWidget;
 class QButtonGroup;

@@ -8,8 +8,8 @@
 #include <QUrl>
 
 #include "facenav/core/whole_file.h"
-#include "shell/image_view.h"
 #include "review/chart_painter.h"
+#include "shell/image_view.h"
 
 namespace facenav::ui {
 namespace {

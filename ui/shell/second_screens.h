@@ -5,10 +5,10 @@
 #include <QObject>
 #include <QPointer>
 
-#include "treat/projector_presenter.h"
-#include "treat/read_out.h"
 #include "treat/guidance_screen.h"
+#include "treat/projector_presenter.h"
 #include "treat/projector_screen.h"
+#include "treat/read_out.h"
 
 class QScreen;
 

@@ -1,10 +1,10 @@
 #include "shell/services.h"
 
+#include "facenav/align/align_case.h"
 #include "facenav/capture/camera_pair_source.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/dicom/patient.h"
-#include "facenav/align/align_case.h"
 #include "facenav/prepare/prepare_case.h"
 #include "facenav/setup/settle_camera.h"
 
@@ -85,14 +85,14 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
     const auto methods = makeMethods();
     if (!verifying.told) return capture::openRig(methods.cameras, rig);
     steps::RigStartMethods judges{methods.face_detector(),
-                                     methods.coil_trackers.create(methods.coil_trackers.defaultName()),
-                                     verifying.coil};
+                                  methods.coil_trackers.create(methods.coil_trackers.defaultName()),
+                                  verifying.coil};
     return steps::openVerified(methods.cameras, rig, std::move(judges),
-                                  "repair them: Check and repair the cameras",
-                                  [name = rig.name, told = verifying.told](const steps::RigStart& found) {
-                                    keepStart(name, found);
-                                    told(found);
-                                  });
+                               "repair them: Check and repair the cameras",
+                               [name = rig.name, told = verifying.told](const steps::RigStart& found) {
+                                 keepStart(name, found);
+                                 told(found);
+                               });
   };
   services.openNewCameras = [makeMethods](const std::string& left, const std::string& right, int width_px,
                                           int height_px) {
@@ -113,9 +113,9 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
   };
   services.makeSetupMethods = [makeMethods] {
     const auto methods = std::make_shared<steps::Registrations>(makeMethods());
-    return steps::SetupMethods{
-        methods->face_detector(),
-        [methods] { return methods->coil_trackers.create(methods->coil_trackers.defaultName()); }};
+    return steps::SetupMethods{methods->face_detector(), [methods] {
+                                 return methods->coil_trackers.create(methods->coil_trackers.defaultName());
+                               }};
   };
   return services;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/align/alignment_seen.h"
 #include "facenav/atlas/brain_template.h"
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/recording.h"
@@ -18,11 +19,10 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/dicom/series.h"
 #include "facenav/dicom/thumbnail.h"
+#include "facenav/methods/registrations.h"
 #include "facenav/pacs/pacs.h"
 #include "facenav/session/session.h"
-#include "facenav/align/alignment_seen.h"
 #include "facenav/setup/cameras_learnt.h"
-#include "facenav/methods/registrations.h"
 #include "facenav/setup/rig_setup.h"
 #include "facenav/setup/verified_cameras.h"
 
@@ -64,7 +64,7 @@ struct Services {
   /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: whose marker the
   /// pictures may show; null: as the case says. Stores the result in the case.
   std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
-                                           const coil_tracking::CoilModel* coil, TaskMonitor&)>
+                                        const coil_tracking::CoilModel* coil, TaskMonitor&)>
       align;
   /// What a person judges the alignment by. Empty: nothing is shown.
   std::function<steps::AlignmentSeen(const casefile::CaseStore&, const steps::AlignmentOutcome&)>

@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "shell/appearance.h"
-#include "shell/task_runner.h"
 #include "shell/elided_label.h"
+#include "shell/task_runner.h"
 
 namespace facenav::ui {
 namespace {

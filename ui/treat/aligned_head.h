@@ -2,8 +2,8 @@
 // AlignedHead: an alignment with what a person judges it by: the MRI's skin over the pictures that it was
 // made from, and the check of the coil's tip.
 
-#include "facenav/capture/recording.h"
 #include "facenav/align/alignment_seen.h"
+#include "facenav/capture/recording.h"
 #include "shell/services.h"
 
 namespace facenav::ui {
@@ -11,7 +11,7 @@ namespace facenav::ui {
 struct AlignedHead {
   std::shared_ptr<const steps::AlignmentOutcome> outcome;  // null: not aligned
   steps::AlignmentSeen seen;                               // null members: nothing to show
-  std::shared_ptr<const pictures::CameraOverlay> picture;     // null: none
+  std::shared_ptr<const pictures::CameraOverlay> picture;  // null: none
 };
 
 /// On a worker thread. Throws Error when the head cannot be aligned.

@@ -9,11 +9,11 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "shell/appearance.h"
 #include "setup/latency_screen.h"
-#include "treat/camera_choice.h"
+#include "shell/appearance.h"
 #include "shell/scroll_column.h"
 #include "shell/words_of_button.h"
+#include "treat/camera_choice.h"
 
 namespace facenav::ui {
 namespace {

@@ -1,7 +1,7 @@
 #include "treat/cameras_presenter.h"
 
+#include "facenav/align/automatic_capture.h"
 #include "facenav/core/error.h"
-#include "facenav/align/marked_still.h"
 #include "treat/preview_frames.h"
 
 namespace facenav::ui {
@@ -54,8 +54,9 @@ std::function<std::unique_ptr<capture::FrameSource>()> CamerasPresenter::opener(
 
 std::function<void(const steps::CamerasLearnt&)> CamerasPresenter::keeper() const {
   if (!chosen_.named() || !services_.keepLearnt) return nullptr;
-  return [keep = services_.keepLearnt,
-          name = rigName().toStdString()](const steps::CamerasLearnt& learnt) { keep(name, learnt); };
+  return [keep = services_.keepLearnt, name = rigName().toStdString()](const steps::CamerasLearnt& learnt) {
+    keep(name, learnt);
+  };
 }
 
 bool CamerasPresenter::canOpen() const { return chosen_.isComplete() && services_.openCameras; }
@@ -197,8 +198,8 @@ void CamerasPresenter::takeMarked() {
        make = services_.makeSetupMethods](TaskMonitor& monitor) -> TaskRunner::Delivery {
         const auto methods = make();
         PreviewFrames frames(rig, preview);
-        steps::MarkedStill still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
-        steps::takeMarkedStill(frames, still, kMarkedWithin_s, monitor);
+        steps::AutomaticCapture still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
+        steps::takeStillCapture(frames, still, kMarkedWithin_s, monitor);
         return [this, preview, taken = still.still()] {
           if (preview != preview_) return;  // other cameras meanwhile
           stills_.take(taken);

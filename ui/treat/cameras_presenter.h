@@ -12,11 +12,11 @@
 #include "facenav/capture/live_preview.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/latest_value.h"
-#include "treat/chosen_cameras.h"
-#include "shell/retirement.h"
+#include "shell/asynchronous_shutdown.h"
 #include "shell/services.h"
-#include "treat/still_pictures.h"
 #include "shell/task_runner.h"
+#include "treat/chosen_cameras.h"
+#include "treat/still_pictures.h"
 
 namespace facenav::ui {
 
@@ -95,7 +95,7 @@ class CamerasPresenter : public QObject {
   void takeDots();
   void takePlain();
   /// Without a projector: the pair is taken by itself when both cameras see the face and, at rest beside it,
-  /// the coil's marker (align/marked_still.h). It can be cancelled as a task.
+  /// the coil's marker (align/automatic_capture.h). It can be cancelled as a task.
   void takeMarked();
   bool hasDots() const { return stills_.hasDots(); }
   /// Both pairs, if taken within 20 s of each other.
@@ -129,12 +129,11 @@ class CamerasPresenter : public QObject {
   ChosenCameras chosen_;
   std::optional<OpenedCameras> opened_;
   std::shared_ptr<capture::LivePreview> preview_;
-  Retirement retirement_;
+  AsynchronousShutdown retirement_;
   bool is_live_ = false;
   std::function<coil_tracking::CoilModel()> coil_;
   /// Of the cameras that were opened last; without a value: no answer yet.
-  std::shared_ptr<LatestValue<steps::RigStart>> start_ =
-      std::make_shared<LatestValue<steps::RigStart>>();
+  std::shared_ptr<LatestValue<steps::RigStart>> start_ = std::make_shared<LatestValue<steps::RigStart>>();
   StillPictures stills_;
 };
 

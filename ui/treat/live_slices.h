@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "facenav/session/navigation_state.h"
-#include "shell/case_model.h"
 #include "plan/coil_slice_view.h"
+#include "shell/case_model.h"
 
 namespace facenav::ui {
 

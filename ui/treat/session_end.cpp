@@ -11,12 +11,12 @@ constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
 
 }  // namespace
 
-void endBeside(Retirement& retirement, std::shared_ptr<steps::Treatment> treatment) {
+void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment) {
   endBeside(
       retirement, [treatment] { treatment->end(); }, [treatment] { treatment->keepReport(); });
 }
 
-void endBeside(Retirement& retirement, std::function<void()> end, std::function<void()> report) {
+void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std::function<void()> report) {
   auto has_ended = std::make_shared<std::promise<void>>();
   retirement.add(
       [report = std::move(report), ended = has_ended->get_future().share()] {
@@ -37,7 +37,7 @@ void endBeside(Retirement& retirement, std::function<void()> end, std::function<
       kPatience);
 }
 
-void reportBeside(Retirement& retirement, const std::filesystem::path& case_folder,
+void reportBeside(AsynchronousShutdown& retirement, const std::filesystem::path& case_folder,
                   const std::filesystem::path& session) {
   retirement.add([case_folder, session] { report::writeSessionReport(case_folder, session); },
                  std::chrono::milliseconds(0));

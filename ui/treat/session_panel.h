@@ -4,9 +4,9 @@
 
 #include <QFrame>
 
+#include "shell/second_screens.h"
 #include "treat/session_sounds.h"
 #include "treat/treat_presenter.h"
-#include "shell/second_screens.h"
 
 class QCheckBox;
 class QComboBox;

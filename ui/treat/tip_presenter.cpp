@@ -97,10 +97,9 @@ bool TipPresenter::canJudge() const { return treat_.isRunning() && refusal_.isEm
 void TipPresenter::judge(steps::TipVerdict verdict) {
   if (!canJudge()) return;
   treat_.judgeTip(verdict, *reading_);
-  last_ =
-      QTime::currentTime().toString("HH:mm ") +
-      (verdict == steps::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
-          .arg(QString::fromStdString(inWords(*reading_)));
+  last_ = QTime::currentTime().toString("HH:mm ") +
+          (verdict == steps::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
+              .arg(QString::fromStdString(inWords(*reading_)));
   forgetSpot();
   emit changed();
 }

@@ -6,9 +6,9 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
-#include "facenav/treat/session_return.h"
-#include "facenav/prepare/sign_off_gate.h"
 #include "facenav/core/software_version.h"
+#include "facenav/prepare/sign_off_gate.h"
+#include "facenav/treat/session_return.h"
 #include "treat/recording_words.h"
 #include "treat/session_end.h"
 
@@ -187,7 +187,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (is_live_) cameras_.readAgain();  // a note that they have moved is in force at once
   if (!recording_ || refuseCameras()) return;
   steps::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
-                                     aligned_.outcome};
+                                  aligned_.outcome};
   coil_.noteIn(request);
   request.goes_on = goes_on;
   if (is_live_) request.keepLearnt = cameras_.keeper();

@@ -10,14 +10,14 @@
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
 #include "facenav/treat/treatment.h"
-#include "treat/aligned_head.h"
-#include "treat/cameras_presenter.h"
+#include "shell/asynchronous_shutdown.h"
 #include "shell/case_model.h"
-#include "treat/followed_coil.h"
-#include "treat/read_out.h"
-#include "shell/retirement.h"
 #include "shell/services.h"
 #include "shell/task_runner.h"
+#include "treat/aligned_head.h"
+#include "treat/cameras_presenter.h"
+#include "treat/followed_coil.h"
+#include "treat/read_out.h"
 
 namespace facenav::ui {
 
@@ -194,7 +194,7 @@ class TreatPresenter : public QObject {
   bool shows_skin_ = true;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null: none was started
-  Retirement retirement_;
+  AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;
   QString target_, pulse_source_;
   std::optional<guidance::Target> site_;

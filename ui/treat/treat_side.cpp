@@ -7,12 +7,12 @@
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
+#include "shell/scroll_column.h"
 #include "treat/bulls_eye_view.h"
 #include "treat/check_row.h"
 #include "treat/figures_panel.h"
 #include "treat/motor_panel.h"
 #include "treat/pulse_row.h"
-#include "shell/scroll_column.h"
 #include "treat/session_panel.h"
 #include "treat/tip_panel.h"
 

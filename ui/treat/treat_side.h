@@ -4,11 +4,11 @@
 
 #include <QWidget>
 
+#include "shell/second_screens.h"
 #include "treat/check_presenter.h"
 #include "treat/motor_presenter.h"
 #include "treat/session_sounds.h"
 #include "treat/tip_presenter.h"
-#include "shell/second_screens.h"
 
 class QBoxLayout;
 class QScrollArea;

@@ -9,16 +9,16 @@
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
-#include "treat/live_slices.h"
+#include "shell/elided_label.h"
 #include "shell/scene_view.h"
+#include "shell/scroll_column.h"
+#include "shell/words_of_button.h"
 #include "treat/camera_row.h"
 #include "treat/cameras_panel.h"
-#include "shell/elided_label.h"
+#include "treat/live_slices.h"
 #include "treat/override_panel.h"
 #include "treat/return_panel.h"
-#include "shell/scroll_column.h"
 #include "treat/treat_side.h"
-#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <random>
 
-#include "facenav/align/marked_still.h"
+#include "facenav/align/automatic_capture.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
@@ -122,7 +122,7 @@ cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& method
   constexpr int kMostPictures = 12;
   constexpr double kFrames_per_s = 30.0;
   auto& room = *sitting.room;
-  steps::MarkedStill still(
+  steps::AutomaticCapture still(
       room.rig(), {sitting.detector, sitting.context.registrations.coil_trackers.create(methods.coil_tracker),
                    sitting.coil});
   for (int i = 0; i < kMostPictures; ++i) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/core/utc_time.h"
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/utc_time.h"
 
 namespace facenav::report {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "facenav/align/align_from_capture.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
 #include "facenav/stereo/face_cloud.h"
-#include "facenav/align/align_from_capture.h"
 
 namespace facenav::steps {
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 
+#include "facenav/health/verify_rig.h"
 #include "facenav/setup/board_collector.h"
 #include "facenav/setup/coil_setup.h"
-#include "facenav/health/verify_rig.h"
 
 namespace facenav::steps {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "facenav/health/pair_diagnosis.h"
 #include "facenav/face/face_landmarks.h"
+#include "facenav/health/pair_diagnosis.h"
 #include "facenav/health/verify_rig.h"
 
 namespace facenav::steps {

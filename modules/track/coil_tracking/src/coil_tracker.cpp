@@ -8,8 +8,8 @@
 #include "coil_search.h"
 #include "coil_surroundings.h"
 #include "edge_filter.h"
-#include "facenav/health/rig_monitor.h"
 #include "facenav/geometry/rigid_fit.h"
+#include "facenav/health/rig_monitor.h"
 #include "row_time_estimate.h"
 
 namespace facenav::coil_tracking {

@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-#include "facenav/peers/bet_segmenter.h"
 #include "facenav/core/error.h"
+#include "facenav/peers/bet_segmenter.h"
 #include "facenav/segmentation/segmenter.h"
 #include "head_phantom.h"
 

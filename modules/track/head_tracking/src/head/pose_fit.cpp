@@ -276,7 +276,7 @@ class LevelFit {
   }
 
   std::optional<SidesFit> sides() const {
-    SidesEvidence evidence(model_.regions);
+    StereoConsistency evidence(model_.regions);
     for (const auto& row : rows_) {
       const float w = weightOf(row);
       if (!(w > 0.f)) continue;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "patch_model.h"
-#include "sides_evidence.h"
+#include "stereo_consistency.h"
 
 namespace facenav::head_tracking {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "facenav/align/align_from_capture.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
-#include "facenav/align/align_from_capture.h"
 #include "facenav/methods/registrations.h"
 
 namespace facenav::steps {

@@ -90,7 +90,8 @@ std::vector<Point<Mri>> markerAt(const guidance::Target& target, const coil_trac
 /// From the capture's pair with dots, or from its plain one. Throws Error: an unknown matcher, a scan without
 /// a face, NotMeasured, or the aligner's own refusal ("not aligned: ..."), unchanged.
 AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                                  measured_face::AlignedFrom from, const AlignmentSetup& setup, TaskMonitor& monitor);
+                                  measured_face::AlignedFrom from, const AlignmentSetup& setup,
+                                  TaskMonitor& monitor);
 
 /// From the film's frames `first` to `last` (both included), fused by the head's motion as `tracker` follows
 /// it; camera_T_mri is the pose in the first. Throws Error as alignFromCapture and measureFilm do.

@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "facenav/align/align_from_capture.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/guidance/tip_check.h"
 #include "facenav/pictures/aligned_skin.h"
 #include "facenav/session/navigation_state.h"
 #include "facenav/stereo/picked_spot.h"
-#include "facenav/align/align_from_capture.h"
 
 namespace facenav::steps {
 

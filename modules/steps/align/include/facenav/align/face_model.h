@@ -36,7 +36,8 @@ struct FaceModelSetup {
 /// From the capture's pair with dots, or from its plain one. Throws Error: no dots, no face in both pictures,
 /// cameras that moved since their calibration, a size that is not known, too small a part of the face.
 FaceModel measureFaceModel(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           measured_face::AlignedFrom from, const FaceModelSetup& setup, TaskMonitor& monitor);
+                           measured_face::AlignedFrom from, const FaceModelSetup& setup,
+                           TaskMonitor& monitor);
 
 /// From the film's frames `first` to `last` (both included), fused by the head's motion as `tracker` follows
 /// it. Throws Error as above, and as measureFilm does.
@@ -59,7 +60,8 @@ struct FaceCaseOrder {
   std::filesystem::path recording, case_folder;
   std::string label;
   bool replaces = false;
-  std::optional<measured_face::AlignedFrom> from = {};  // only this way; nothing: dots, else the film or the plain pair
+  std::optional<measured_face::AlignedFrom> from =
+      {};  // only this way; nothing: dots, else the film or the plain pair
   /// Whose marker the pictures may show; nothing: the recording's coil.json, else the default one.
   std::optional<coil_tracking::CoilModel> coil = {};
 };

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "facenav/capture/recording.h"
 #include "facenav/align/known_lengths.h"
+#include "facenav/capture/recording.h"
 
 namespace facenav::steps {
 
@@ -15,8 +15,8 @@ std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& reco
 
 /// The coil's marker while it rests there; nothing without a film.
 std::optional<health::ScaleObservation> restingMarkerIn(const capture::Recording& recording,
-                                          const coil_tracking::CoilModel& coil,
-                                          coil_tracking::CoilTracker& tracker);
+                                                        const coil_tracking::CoilModel& coil,
+                                                        coil_tracking::CoilTracker& tracker);
 
 /// The coil that the first of these folders with a coil.json names; else the one of the default marker.
 coil_tracking::CoilModel coilNamedIn(const std::vector<std::filesystem::path>& folders);

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "facenav/align/align_from_capture.h"
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/capture/frame_source.h"
 #include "facenav/coil_tracking/coil_tracker.h"
 #include "facenav/registration/aligner.h"
-#include "facenav/align/align_from_capture.h"
 
 namespace facenav::steps {
 
@@ -72,11 +72,13 @@ class RestingMarker {
 };
 
 /// The same of a film's frames `first` to `last`.
-std::optional<health::ScaleObservation> markerLengthIn(capture::FrameSource& film, std::int64_t first, std::int64_t last,
-                                         const coil_tracking::CoilModel& coil,
-                                         coil_tracking::CoilTracker& tracker);
+std::optional<health::ScaleObservation> markerLengthIn(capture::FrameSource& film, std::int64_t first,
+                                                       std::int64_t last,
+                                                       const coil_tracking::CoilModel& coil,
+                                                       coil_tracking::CoilTracker& tracker);
 
 /// The turn of the right camera that explains it.
-registration::CameraTurn turnBy(const health::ScaleObservation& length, const registration::TurnableCamera& right);
+registration::CameraTurn turnBy(const health::ScaleObservation& length,
+                                const registration::TurnableCamera& right);
 
 }  // namespace facenav::steps

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "facenav/coil_tracking/coil_card.h"
 #include "facenav/align/face_model.h"
+#include "facenav/coil_tracking/coil_card.h"
 
 namespace facenav::steps {
 

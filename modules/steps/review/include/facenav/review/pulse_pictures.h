@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "facenav/scene/pulse_layer.h"
 #include "facenav/report/pulse_columns.h"
 #include "facenav/report/session_report.h"
+#include "facenav/scene/pulse_layer.h"
 
 namespace facenav::steps {
 
@@ -25,7 +25,7 @@ std::vector<scene::PulseMark> marksOf(const std::vector<casefile::ReviewedPulse>
 /// their map. Empty without an X display (scene/display.h), or where no pulse has a pose. On the thread that
 /// draws. `places`: as of placesOn with the brain model, if they are known already.
 std::vector<report::ReportPicture> pulsePictures(const casefile::CaseStore& store,
-                                         const casefile::KeptSession& session,
-                                         std::vector<std::optional<Point<Mri>>> places = {});
+                                                 const casefile::KeptSession& session,
+                                                 std::vector<std::optional<Point<Mri>>> places = {});
 
 }  // namespace facenav::steps

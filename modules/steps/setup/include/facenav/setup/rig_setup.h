@@ -11,10 +11,10 @@
 
 #include "facenav/capture/frame_source.h"
 #include "facenav/capture/rig_store.h"
+#include "facenav/health/verify_rig.h"
 #include "facenav/setup/board_collector.h"
 #include "facenav/setup/camera_placement.h"
 #include "facenav/setup/coil_setup.h"
-#include "facenav/health/verify_rig.h"
 
 namespace facenav::steps {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "facenav/align/align_case.h"
 #include "facenav/casefile/poses_csv.h"
 #include "facenav/session/navigation_state.h"
-#include "facenav/align/align_case.h"
 
 namespace facenav::steps {
 
@@ -26,7 +26,7 @@ struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil
   std::optional<AlignmentOutcome> alignment;  // present if it was made from a capture pair
   int head_tracked = 0, coil_tracked = 0, frames = 0;
-  int rig_fault_frames = 0;    // frames in which every pose was refused because of a camera fault
+  int rig_fault_frames = 0;  // frames in which every pose was refused because of a camera fault
   std::optional<health::RigVerdict> rig_fault;            // the last one; empty: none
   std::optional<health::CorrectedMotion> rig_correction;  // of a camera that moved on its mount; empty: none
   // Delay of the right camera's exposure after the left one's, as estimated at the end.

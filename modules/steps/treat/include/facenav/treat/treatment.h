@@ -9,16 +9,16 @@
 #include <optional>
 #include <string>
 
+#include "facenav/align/align_from_capture.h"
+#include "facenav/align/alignment_seen.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/protocol.h"
 #include "facenav/coil_tracking/coil_card.h"
 #include "facenav/links/pulse_source.h"
-#include "facenav/session/treatment_log.h"
-#include "facenav/align/align_from_capture.h"
-#include "facenav/align/alignment_seen.h"
-#include "facenav/setup/cameras_learnt.h"
 #include "facenav/report/session_notes.h"
+#include "facenav/session/treatment_log.h"
+#include "facenav/setup/cameras_learnt.h"
 
 namespace facenav::steps {
 

@@ -94,8 +94,8 @@ class CoilTracker {
 
 std::unique_ptr<CoilTracker> makeMarkerCoilTracker();  // "marker"
 
-/// The coil's marker as an observation of the cameras, for the check of a rig. `tracker` may be null: then the
-/// finder is empty. Throws Error as CoilTracker::start does.
+/// The coil's marker as an observation of the cameras, for the check of a rig. `tracker` may be null: then
+/// the finder is empty. Throws Error as CoilTracker::start does.
 health::SquareFinder squareFinder(std::shared_ptr<CoilTracker> tracker, const cameras::StereoRig& rig,
                                   const CoilModel& coil);
 

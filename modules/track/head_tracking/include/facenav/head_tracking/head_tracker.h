@@ -102,8 +102,8 @@ std::unique_ptr<HeadTracker> makeFeatureHeadTracker(
 std::unique_ptr<HeadTracker> makeModelHeadTracker(
     std::shared_ptr<const face::FaceDetector> detector = nullptr);  // "model"
 
-/// The face's motion in a film, for its dense measurement (measured_face::measureFilm): the tracker is started
-/// on the first frame that the function is called with. `tracker` must outlive it.
+/// The face's motion in a film, for its dense measurement (measured_face::measureFilm): the tracker is
+/// started on the first frame that the function is called with. `tracker` must outlive it.
 std::function<std::optional<RigidTransform<Camera, Head>>(const cameras::StereoFrame& frame)>
 motionSinceFirst(HeadTracker& tracker, const cameras::StereoRig& rig);
 

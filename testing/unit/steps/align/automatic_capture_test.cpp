@@ -1,6 +1,6 @@
 // The picture for an alignment without a projector: taken when face and resting marker are seen.
 
-#include "facenav/align/marked_still.h"
+#include "facenav/align/automatic_capture.h"
 
 #include <gmock/gmock.h>
 
@@ -24,11 +24,11 @@ std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0, dou
   room->turned_deg = turned_deg;
   testing::SetupRoomSource source(room, rig);
   const auto face = has_face ? std::optional(cv::Rect(220, 130, 200, 200)) : std::nullopt;
-  MarkedStill still(rig,
-                    {std::make_shared<testing::FixedFace>(face), coil_tracking::makeMarkerCoilTracker()});
+  AutomaticCapture still(
+      rig, {std::make_shared<testing::FixedFace>(face), coil_tracking::makeMarkerCoilTracker()});
   TaskMonitor monitor;
   try {
-    takeMarkedStill(source, still, limit_s, monitor);
+    takeStillCapture(source, still, limit_s, monitor);
   } catch (const Error& error) {
     return error.what();
   }
@@ -37,17 +37,17 @@ std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0, dou
   return still.words();
 }
 
-TEST(MarkedStill, IsTakenWhenFaceAndRestingMarkerAreSeen) {
+TEST(AutomaticCapture, IsTakenWhenFaceAndRestingMarkerAreSeen) {
   EXPECT_EQ(refusalOf(RoomShows::marker, true), "the picture is taken");
 }
 
-TEST(MarkedStill, SaysWhatIsMissing) {
+TEST(AutomaticCapture, SaysWhatIsMissing) {
   EXPECT_THAT(refusalOf(RoomShows::nothing, true), HasSubstr("hold the coil beside the face"));
   EXPECT_THAT(refusalOf(RoomShows::marker, true, 3.0), HasSubstr("does not fit the cameras' calibration"));
   EXPECT_THAT(refusalOf(RoomShows::marker, false), HasSubstr("both cameras must see the whole face"));
 }
 
-TEST(MarkedStill, IsTakenOfAFaceThatAMaskHidesFromTheDetector) {
+TEST(AutomaticCapture, IsTakenOfAFaceThatAMaskHidesFromTheDetector) {
   EXPECT_EQ(refusalOf(RoomShows::marker, false, 0, 10.0), "the picture is taken");
   EXPECT_THAT(refusalOf(RoomShows::nothing, false, 0, 10.0), HasSubstr("hold the coil beside the face"));
 }
@@ -91,11 +91,11 @@ class FaceBesideMarker : public capture::FrameSource {
 std::optional<cameras::StereoFrame> takenOf(double step_px, std::optional<double> late_s,
                                             std::string& words) {
   FaceBesideMarker source(step_px, late_s);
-  MarkedStill still(source.rig(), {std::make_shared<testing::FixedFace>(FaceBesideMarker::kPatch),
-                                   coil_tracking::makeMarkerCoilTracker()});
+  AutomaticCapture still(source.rig(), {std::make_shared<testing::FixedFace>(FaceBesideMarker::kPatch),
+                                        coil_tracking::makeMarkerCoilTracker()});
   TaskMonitor monitor;
   try {
-    takeMarkedStill(source, still, 3.0, monitor);
+    takeStillCapture(source, still, 3.0, monitor);
   } catch (const Error& error) {
     words = error.what();
     return std::nullopt;
@@ -103,7 +103,7 @@ std::optional<cameras::StereoFrame> takenOf(double step_px, std::optional<double
   return still.still();
 }
 
-TEST(MarkedStill, OfCamerasThatDoNotExposeTogetherWaitsForTheFaceToBeAtRest) {
+TEST(AutomaticCapture, OfCamerasThatDoNotExposeTogetherWaitsForTheFaceToBeAtRest) {
   std::string words;
   EXPECT_FALSE(takenOf(1.0, 0.012, words)) << "its depth would be wrong";
   EXPECT_THAT(words, HasSubstr("hold the head still"));
@@ -113,7 +113,7 @@ TEST(MarkedStill, OfCamerasThatDoNotExposeTogetherWaitsForTheFaceToBeAtRest) {
   EXPECT_TRUE(takenOf(1.0, std::nullopt, words)) << "of one moment: no depth is wrong";
 }
 
-TEST(MarkedStill, OfCamerasThatMovedIsNone) {
+TEST(AutomaticCapture, OfCamerasThatMovedIsNone) {
   const auto rig = rooms::roomRig();
   struct Faulty : capture::FrameSource {
     const cameras::StereoRig& rig() const override { return rig_; }
@@ -124,10 +124,10 @@ TEST(MarkedStill, OfCamerasThatMovedIsNone) {
     }
     cameras::StereoRig rig_ = rooms::roomRig();
   } source;
-  MarkedStill still(
+  AutomaticCapture still(
       rig, {std::make_shared<testing::FixedFace>(std::nullopt), coil_tracking::makeMarkerCoilTracker()});
   TaskMonitor monitor;
-  EXPECT_THROW(takeMarkedStill(source, still, 1.0, monitor), Error);
+  EXPECT_THROW(takeStillCapture(source, still, 1.0, monitor), Error);
   EXPECT_THROW(still.still(), std::logic_error);
 }
 

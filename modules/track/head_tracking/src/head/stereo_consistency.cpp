@@ -1,4 +1,4 @@
-#include "sides_evidence.h"
+#include "stereo_consistency.h"
 
 #include <algorithm>
 
@@ -14,9 +14,9 @@ using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
 }  // namespace
 
-void SidesEvidence::add(int region, const Eigen::Matrix<float, 2, 6>& by_both,
-                        const Eigen::Matrix<float, 2, 6>& by_right, const Eigen::Vector2f& off,
-                        const Eigen::Matrix2f& weight) {
+void StereoConsistency::add(int region, const Eigen::Matrix<float, 2, 6>& by_both,
+                            const Eigen::Matrix<float, 2, 6>& by_right, const Eigen::Vector2f& off,
+                            const Eigen::Matrix2f& weight) {
   Eigen::Matrix<float, 2, 12> design;
   design << by_both, by_right;
   const Eigen::Matrix<float, 12, 2> weighted = design.transpose() * weight;
@@ -26,7 +26,7 @@ void SidesEvidence::add(int region, const Eigen::Matrix<float, 2, 6>& by_both,
   ++sums.count;
 }
 
-std::optional<SidesFit> SidesEvidence::solve() const {
+std::optional<SidesFit> StereoConsistency::solve() const {
   Matrix12d information = Matrix12d::Zero();
   Vector12d score = Vector12d::Zero();
   int parts = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// MarkedStill: the picture for an alignment without a projector. Both cameras see the face and, at rest
+// AutomaticCapture: the picture for an alignment without a projector. Both cameras see the face and, at rest
 // beside it, the coil's marker: its known size tells whether a camera turned since the calibration, which a
 // bare face does not show. Takes the picture by itself as soon as all is in view: the mean of some frames in
 // which the face does not move. Data flow: stereo frames -> one still pair, in which the alignment measures
@@ -17,18 +17,18 @@
 namespace facenav::steps {
 
 /// What is looked for in the frames.
-struct MarkedStillMethods {
+struct AutomaticCaptureMethods {
   std::shared_ptr<const face::FaceDetector> face_detector;
   std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;
   coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
 };
 
-class MarkedStill {
+class AutomaticCapture {
  public:
-  MarkedStill(const cameras::StereoRig& rig, MarkedStillMethods methods);
-  ~MarkedStill();
-  MarkedStill(const MarkedStill&) = delete;
-  MarkedStill& operator=(const MarkedStill&) = delete;
+  AutomaticCapture(const cameras::StereoRig& rig, AutomaticCaptureMethods methods);
+  ~AutomaticCapture();
+  AutomaticCapture(const AutomaticCapture&) = delete;
+  AutomaticCapture& operator=(const AutomaticCapture&) = delete;
 
   /// In the order of their times. True once the picture is taken; later frames change nothing. Takes
   /// milliseconds, and some tenths of a second for a frame in which the face is looked for.
@@ -47,6 +47,7 @@ class MarkedStill {
 
 /// From a source that runs already, within `limit_s` of its frames. `monitor` shows words(). Throws Error
 /// with what was missing; Cancelled.
-void takeMarkedStill(capture::FrameSource& source, MarkedStill& still, double limit_s, TaskMonitor& monitor);
+void takeStillCapture(capture::FrameSource& source, AutomaticCapture& still, double limit_s,
+                      TaskMonitor& monitor);
 
 }  // namespace facenav::steps

@@ -1,4 +1,4 @@
-#include "head/sides_evidence.h"
+#include "head/stereo_consistency.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ class FaceOfTwo {
   explicit FaceOfTwo(unsigned seed) : random_(seed) {}
 
   SidesFit fit(const Vector6d& xi, const Vector6d& zeta, double noise_px = 0.1) {
-    SidesEvidence evidence(30);
+    StereoConsistency evidence(30);
     std::normal_distribution<double> normal(0.0, noise_px);
     for (int i = 0; i < 240; ++i) {
       const Eigen::Vector3d p_mm(uniform(-60, 60), uniform(-70, 70), uniform(-30, 30));
@@ -52,7 +52,7 @@ Vector6d byYaw(double deg) {
   return zeta;
 }
 
-TEST(SidesEvidence, SeesEachAxisOfTheRightCamera) {
+TEST(StereoConsistency, SeesEachAxisOfTheRightCamera) {
   FaceOfTwo face(3);
   for (int axis = 0; axis < 6; ++axis) {
     Vector6d zeta = Vector6d::Zero(), xi;
@@ -64,13 +64,13 @@ TEST(SidesEvidence, SeesEachAxisOfTheRightCamera) {
   }
 }
 
-TEST(SidesEvidence, AYawOfATwentiethOfADegreeIsBeyondItsError) {
+TEST(StereoConsistency, AYawOfATwentiethOfADegreeIsBeyondItsError) {
   FaceOfTwo face(5);
   const SidesFit turned = face.fit(Vector6d::Zero(), byYaw(0.05));
   EXPECT_GT(turned.zeta.dot(turned.covariance.inverse() * turned.zeta), 20.1);
 }
 
-TEST(SidesEvidence, StatesItsErrorHonestly) {
+TEST(StereoConsistency, StatesItsErrorHonestly) {
   FaceOfTwo face(11);
   double squares = 0;
   constexpr int kTrials = 60;
@@ -82,8 +82,8 @@ TEST(SidesEvidence, StatesItsErrorHonestly) {
   EXPECT_GT(squares, 0.2);
 }
 
-TEST(SidesEvidence, SaysNothingOfAFewPartsOfAFace) {
-  SidesEvidence evidence(30);
+TEST(StereoConsistency, SaysNothingOfAFewPartsOfAFace) {
+  StereoConsistency evidence(30);
   for (int part = 0; part < 10; ++part)
     evidence.add(part, Eigen::Matrix<float, 2, 6>::Ones(), Eigen::Matrix<float, 2, 6>::Ones(),
                  Eigen::Vector2f(1, 1), Eigen::Matrix2f::Identity());

@@ -1,4 +1,4 @@
-#include "facenav/align/marked_still.h"
+#include "facenav/align/automatic_capture.h"
 
 #include <deque>
 #include <opencv2/imgproc.hpp>
@@ -38,11 +38,11 @@ SteadyRegion regionOf(const face::FaceLandmarks& face, const std::array<Eigen::V
 
 }  // namespace
 
-struct MarkedStill::Implementation {
-  Implementation(const cameras::StereoRig& calibrated, MarkedStillMethods with)
+struct AutomaticCapture::Implementation {
+  Implementation(const cameras::StereoRig& calibrated, AutomaticCaptureMethods with)
       : rig(calibrated), methods(std::move(with)), resting(rig, methods.coil, *methods.coil_tracker) {}
   const cameras::StereoRig rig;
-  MarkedStillMethods methods;
+  AutomaticCaptureMethods methods;
   RestingMarker resting;
   std::deque<cameras::StereoFrame> at_rest;  // the newest last
   std::optional<double> face_missed_s, face_first_missed_s;
@@ -76,13 +76,13 @@ struct MarkedStill::Implementation {
   }
 };
 
-MarkedStill::MarkedStill(const cameras::StereoRig& rig, MarkedStillMethods methods) {
+AutomaticCapture::AutomaticCapture(const cameras::StereoRig& rig, AutomaticCaptureMethods methods) {
   FACENAV_EXPECT(methods.face_detector && methods.coil_tracker, "a face and a marker are looked for");
   implementation_ = std::make_unique<Implementation>(rig, std::move(methods));
 }
-MarkedStill::~MarkedStill() = default;
+AutomaticCapture::~AutomaticCapture() = default;
 
-bool MarkedStill::add(const cameras::StereoFrame& frame) {
+bool AutomaticCapture::add(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
   if (self.still) return true;
   if (!self.resting.add(frame)) {
@@ -97,7 +97,7 @@ bool MarkedStill::add(const cameras::StereoFrame& frame) {
   return self.take(frame);
 }
 
-std::string MarkedStill::words() const {
+std::string AutomaticCapture::words() const {
   const Implementation& self = *implementation_;
   if (self.still) return "the picture is taken";
   if (self.resting.isContradicted()) return kMarkerContradicted;
@@ -107,12 +107,13 @@ std::string MarkedStill::words() const {
   return "both cameras must see the whole face: look at them, nothing before the face";
 }
 
-const cameras::StereoFrame& MarkedStill::still() const {
+const cameras::StereoFrame& AutomaticCapture::still() const {
   FACENAV_EXPECT(implementation_->still, "the picture is not taken yet");
   return *implementation_->still;
 }
 
-void takeMarkedStill(capture::FrameSource& source, MarkedStill& still, double limit_s, TaskMonitor& monitor) {
+void takeStillCapture(capture::FrameSource& source, AutomaticCapture& still, double limit_s,
+                      TaskMonitor& monitor) {
   std::optional<double> first_s;
   while (const auto frame = source.next()) {
     if (!frame->rig_fault.empty()) throw Error("not aligned: " + frame->rig_fault);

@@ -1,5 +1,5 @@
 #pragma once
-// SidesEvidence: how the right camera stands to the left one, from the skin patches alone. Each camera by
+// StereoConsistency: how the right camera stands to the left one, from the skin patches alone. Each camera by
 // itself shows the known face at a pose: size gives distance, perspective gives the turn. Where the cameras
 // stand to each other as they did at the key frame, both poses are the same. The unknowns are xi, the head's
 // motion left over by the fit, and zeta, a further motion that only the right camera sees.
@@ -22,9 +22,9 @@ struct SidesFit {
   Matrix6d xi_by_zeta = Matrix6d::Zero();  // what a fit of one pose to both images makes of it
 };
 
-class SidesEvidence {
+class StereoConsistency {
  public:
-  explicit SidesEvidence(int regions) : regions_(std::size_t(regions)) {}
+  explicit StereoConsistency(int regions) : regions_(std::size_t(regions)) {}
 
   /// An observation of two values: by_both * xi + by_right * zeta = off, with this weight.
   void add(int region, const Eigen::Matrix<float, 2, 6>& by_both, const Eigen::Matrix<float, 2, 6>& by_right,

@@ -1,4 +1,4 @@
-#include "shell/retirement.h"
+#include "shell/asynchronous_shutdown.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace facenav::ui {
 
-void Retirement::add(std::function<void()> end, std::chrono::milliseconds patience) {
+void AsynchronousShutdown::add(std::function<void()> end, std::chrono::milliseconds patience) {
   const auto has_come = [](const std::future<void>& each) {
     return each.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   };

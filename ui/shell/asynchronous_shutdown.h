@@ -1,6 +1,7 @@
 #pragma once
-// Retirement: ends cameras and sessions on threads of their own. A camera that hangs ends late or never, and
-// the window must not wait for it. A good one ends within one frame, and may be opened again right after.
+// AsynchronousShutdown: ends cameras and sessions on threads of their own. A camera that hangs ends late or
+// never, and the window must not wait for it. A good one ends within one frame, and may be opened again right
+// after.
 
 #include <chrono>
 #include <functional>
@@ -9,7 +10,7 @@
 
 namespace facenav::ui {
 
-class Retirement {
+class AsynchronousShutdown {
  public:
   /// Runs `end` on its own thread and waits for it at most `patience`.
   void add(std::function<void()> end, std::chrono::milliseconds patience);
