@@ -1,11 +1,15 @@
-// facenav settings [MODULE]: the numbers that were fitted or chosen, with unit, range and origin.
+// facenav settings [MODULE]: the numbers that were fitted or chosen, with unit, range and origin;
+// facenav settings --why NAME: where one of them, or a constant of the code, comes from.
 
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include "commands/commands.h"
+#include "evidence_table.h"
 #include "facenav/core/error.h"
 
 namespace facenav::app {
@@ -45,6 +49,38 @@ std::vector<SettingEntry> entriesOf(const SettingsTable& table, const std::strin
   return entries;
 }
 
+/// The rows of resources/doc/evidence.md ("| name | evidence |") whose name contains `name`.
+std::vector<std::pair<std::string, std::string>> constantsNamed(const std::string& name) {
+  std::vector<std::pair<std::string, std::string>> found;
+  std::istringstream table(evidenceTable());
+  for (std::string line; std::getline(table, line);) {
+    const auto middle = line.find(" | ", 2);
+    if (line.rfind("| ", 0) != 0 || middle == std::string::npos) continue;
+    const std::string constant = line.substr(2, middle - 2);
+    if (constant.find(name) == std::string::npos || constant == "name") continue;
+    found.emplace_back(constant, line.substr(middle + 3, line.rfind(" |") - middle - 3));
+  }
+  return found;
+}
+
+/// Prints where the settings and constants come from whose names contain `name`. Throws Error: there is none.
+void printWhy(const SettingsTable& table, const std::string& name) {
+  bool is_found = false;
+  for (const SettingEntry& entry : table.entries()) {
+    if (entry.key().find(name) == std::string::npos) continue;
+    std::printf("%s: %s, %s\n", entry.key().c_str(), toString(entry.setting.origin).c_str(),
+                entry.setting.evidence.c_str());
+    is_found = true;
+  }
+  for (const auto& [constant, evidence] : constantsNamed(name)) {
+    std::printf("%s: %s\n", constant.c_str(), evidence.c_str());
+    is_found = true;
+  }
+  if (!is_found)
+    throw Error("no setting and no constant with evidence has '" + name + "' in its name", {},
+                "'facenav settings' lists the settings");
+}
+
 }  // namespace
 
 void addSettings(CLI::App& app, Context& context) {
@@ -53,11 +89,16 @@ void addSettings(CLI::App& app, Context& context) {
   struct SettingsRequest {
     std::string module;
     bool is_json = false;
+    std::optional<std::string> why;
   };
   auto request = std::make_shared<SettingsRequest>();
   verb->add_option("MODULE", request->module, "only its settings");
   verb->add_flag("--json", request->is_json, "as JSON");
+  verb->add_option("--why", request->why,
+                   "where a setting or a constant of the code comes from, by a part of its name")
+      ->excludes("MODULE");
   verb->callback([&context, request] {
+    if (request->why) return printWhy(app::settingsFor(context.settings), *request->why);
     const auto entries = entriesOf(app::settingsFor(context.settings), request->module);
     auto json = nlohmann::ordered_json::array();
     std::string subject;
