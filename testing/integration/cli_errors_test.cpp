@@ -258,6 +258,7 @@ TEST_F(CommandLine, TrackOfARigWithoutT) {
             "   data: [ 800., 0., 320., 0., 800., 240., 0., 0., 1. ]\n");
   const auto result = runFacenav("track " + at("rec").string() + " -o " + at("poses.csv").string());
   expectRefused(result, "stereo.yml", at("poses.csv"));
+  EXPECT_THAT(result.errors, HasSubstr("resources/doc/formats.md"));
 }
 
 TEST_F(CommandLine, GuideOfAFolderThatIsNoCase) {
@@ -265,6 +266,23 @@ TEST_F(CommandLine, GuideOfAFolderThatIsNoCase) {
   expectRefused(runFacenav("guide " + folder_.path().string() + " " + at("poses.csv").string() +
                            " --target X -o " + at("guidance.csv").string()),
                 "case.json", at("guidance.csv"));
+}
+
+TEST_F(CommandLine, AFileWithoutARequiredKeyNamesThePageOfFormats) {
+  writeText(at("coil.json"), R"({"name": "figure-8"})");
+  const auto result =
+      runFacenav("marker --coil " + at("coil.json").string() + " -o " + at("marker.svg").string());
+  expectRefused(result, "key 'marker'", at("marker.svg"));
+  EXPECT_THAT(result.errors, HasSubstr("see resources/doc/formats.md"));
+}
+
+TEST_F(CommandLine, ATableWithoutARequiredColumnNamesThePageOfFormats) {
+  casefile::CaseStore::create(at("case"), ballWithBrain(), {}, false);
+  writeText(at("poses.csv"), "frame,t_s,object\n");
+  const auto result = runFacenav("guide " + at("case").string() + " " + at("poses.csv").string() +
+                                 " --target X -o " + at("guidance.csv").string());
+  expectRefused(result, "poses.csv, line 1", at("guidance.csv"));
+  EXPECT_THAT(result.errors, HasSubstr("see resources/doc/formats.md"));
 }
 
 TEST_F(CommandLine, AlignOfAMissingCase) {

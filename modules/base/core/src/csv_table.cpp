@@ -90,7 +90,7 @@ std::size_t CsvTable::column(const std::string& name) const {
   const auto found = findColumn(name);
   if (!found)
     throw Error("column '" + name + "' is missing in the header line", path_.string() + ", line 1",
-                "see FORMATS.md");
+                "see resources/doc/formats.md");
   return *found;
 }
 

@@ -17,6 +17,7 @@ const nlohmann::json& json(const void* node) { return *static_cast<const nlohman
 struct JsonReader::Document {
   std::filesystem::path path;
   nlohmann::json root;
+  bool is_file = false;  // a whole file; else a line of one
 };
 
 JsonReader::JsonReader(std::shared_ptr<const Document> document, const void* node, std::string key)
@@ -25,12 +26,18 @@ JsonReader::JsonReader(const JsonReader&) = default;
 JsonReader::~JsonReader() = default;
 
 JsonReader JsonReader::readFile(const std::filesystem::path& path) {
-  return readText(readWholeFile(path), path);
+  return readDocument(readWholeFile(path), path, true);
 }
 
 JsonReader JsonReader::readText(const std::string& text, const std::filesystem::path& path) {
+  return readDocument(text, path, false);
+}
+
+JsonReader JsonReader::readDocument(const std::string& text, const std::filesystem::path& path,
+                                    bool is_file) {
   auto document = std::make_shared<Document>();
   document->path = path;
+  document->is_file = is_file;
   try {
     document->root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& fault) {
@@ -57,7 +64,9 @@ bool JsonReader::has(const std::string& key) const {
 JsonReader JsonReader::at(const std::string& key) const {
   if (!json(node_).is_object()) refuse("an object was expected");
   const JsonReader child(document_, node_, key_.empty() ? key : key_ + "." + key);
-  if (!json(node_).contains(key)) child.refuse("required key is missing");
+  if (!json(node_).contains(key))
+    child.refuse(document_->is_file ? "required key is missing; see resources/doc/formats.md"
+                                    : "required key is missing");
   return JsonReader(document_, &json(node_).at(key), child.key_);
 }
 

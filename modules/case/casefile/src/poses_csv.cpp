@@ -11,7 +11,7 @@ namespace {
 
 struct Columns {
   std::size_t frame, t_s, object, status, tx, ty, tz, qw, qx, qy, qz, quality, reason;
-  std::optional<std::size_t> of_frame, detail;  // additions to FORMATS.md: other tools' files lack them
+  std::optional<std::size_t> of_frame, detail;  // optional: other tools' files lack them
   explicit Columns(const CsvTable& table)
       : frame(table.column("frame")),
         t_s(table.column("t_s")),

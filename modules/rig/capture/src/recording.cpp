@@ -183,7 +183,7 @@ void requireFrames(const RecordingFrames& frames, const fs::path& folder) {
   refuseEmpty(folder);
   if (!frames.pairs)
     throw Error("has neither left/ and right/ nor left.mkv and right.mkv", folder.string(),
-                "is it a recording?");
+                "is it a recording? see resources/doc/formats.md");
   if (frames.numbers.empty()) throw Error("the recording holds 0 frames", folder.string(), "record it again");
 }
 

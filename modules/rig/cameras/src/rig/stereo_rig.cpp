@@ -64,7 +64,8 @@ bool isSameCalibration(const StereoRig& a, const StereoRig& b) {
 }
 
 StereoRig readRig(const std::filesystem::path& path) {
-  const RigReader reader(path, "write it with 'facenav calibrate' or cv::FileStorage (T in mm)");
+  const RigReader reader(
+      path, "write it with 'facenav calibrate' or cv::FileStorage (T in mm), see resources/doc/formats.md");
   StereoRig rig;
   rig.width_px = reader.size("image_width");
   rig.height_px = reader.size("image_height");

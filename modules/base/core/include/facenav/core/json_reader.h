@@ -1,7 +1,7 @@
 #pragma once
 // JsonReader: strict reader of a JSON file. If a requested value is missing or has the wrong type, it throws
 // an Error that names the file and the key ("targets[1].mri_T_target"). Keys that nobody requests are
-// ignored, as FORMATS.md specifies.
+// ignored, as resources/doc/formats.md specifies.
 
 #include <cstddef>
 #include <filesystem>
@@ -22,7 +22,8 @@ class JsonReader {
   static JsonReader readText(const std::string& text, const std::filesystem::path& where);
 
   bool has(const std::string& key) const;
-  /// The member `key` of an object. Throws Error if it is missing.
+  /// The member `key` of an object. Throws Error if it is missing; for a file the message names the page of
+  /// formats.
   JsonReader at(const std::string& key) const;
   /// The elements of a list. Throws Error if this is not a list.
   std::vector<JsonReader> elements() const;
@@ -43,6 +44,7 @@ class JsonReader {
 
  private:
   struct Document;
+  static JsonReader readDocument(const std::string& text, const std::filesystem::path& path, bool is_file);
   JsonReader(std::shared_ptr<const Document> document, const void* node, std::string key);
   std::shared_ptr<const Document> document_;
   const void* node_;

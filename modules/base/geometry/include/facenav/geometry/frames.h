@@ -1,5 +1,5 @@
 #pragma once
-// The frames of FaceNav as tag types (exact definitions in FORMATS.md; all in millimetres):
+// The frames of FaceNav as tag types (exact definitions in resources/doc/formats.md; all in millimetres):
 //   Mri          patient RAS of the navigation T1 (NIfTI world)
 //   Mni          MNI space (RAS mm), of the atlas
 //   Camera       left camera: x right, y down, z forward, of the left image as recorded

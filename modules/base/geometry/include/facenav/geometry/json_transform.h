@@ -1,5 +1,5 @@
 #pragma once
-// Rigid transforms and points in JSON (FORMATS.md): 4x4 row-major as 16 numbers, millimetres.
+// Rigid transforms and points in JSON (resources/doc/formats.md): 4x4 row-major as 16 numbers, millimetres.
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
-// Case: one folder, one patient (FORMATS.md). CaseStore opens, creates and updates it; every file is written
-// whole. Privacy: the case id is random, files are 0600 and folders 0700. The only field that may hold a
-// patient's name is the label, which a user must ask for.
+// Case: one folder, one patient (resources/doc/formats.md). CaseStore opens, creates and updates it; every
+// file is written whole. Privacy: the case id is random, files are 0600 and folders 0700. The only field that
+// may hold a patient's name is the label, which a user must ask for.
 
 #include <filesystem>
 #include <map>

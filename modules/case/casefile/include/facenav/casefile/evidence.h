@@ -1,8 +1,8 @@
 #pragma once
 // Evidence of a session's pulses: both pictures of the frame nearest to each pulse, in the session's
-// evidence/. The folder is a recording (FORMATS.md: stereo.yml, timestamps.csv, left/, right/, here as JPEG),
-// with the frame numbers and times of poses.csv, so that replay shows it and `facenav track` solves the poses
-// again. These are photographs of the patient's face: files 0600, folders 0700.
+// evidence/. The folder is a recording (resources/doc/formats.md: stereo.yml, timestamps.csv, left/, right/,
+// here as JPEG), with the frame numbers and times of poses.csv, so that replay shows it and `facenav track`
+// solves the poses again. These are photographs of the patient's face: files 0600, folders 0700.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
-// Reads and writes poses.csv (columns of FORMATS.md): one line per frame and object. `head` is camera_T_mri
-// (camera_T_head without an alignment), `coil` is camera_T_coil (camera_T_marker without a coil file).
-// Millimetres.
+// Reads and writes poses.csv (columns of resources/doc/formats.md): one line per frame and object. `head` is
+// camera_T_mri (camera_T_head without an alignment), `coil` is camera_T_coil (camera_T_marker without a coil
+// file). Millimetres.
 
 #include <cstdint>
 #include <filesystem>
@@ -35,8 +35,8 @@ struct PoseRow {
   }
 };
 
-/// The word for a frame in the column of_frame (FaceNav's addition to FORMATS.md). It tells a pose of the
-/// head since tracking started from a pose of the MRI.
+/// The word for a frame in the optional column of_frame. It tells a pose of the head since tracking started
+/// from a pose of the MRI.
 template <class Frame>
 constexpr const char* frameWord() {
   if constexpr (std::is_same_v<Frame, Mri>) return "mri";

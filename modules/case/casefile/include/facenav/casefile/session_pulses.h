@@ -1,7 +1,7 @@
 #pragma once
-// The pulses of a kept session, with what was changed afterwards, and pulses.csv (FORMATS.md). A pulse can be
-// excluded with a reason and taken in again, and its MEP can be entered; nothing removes it. Changes are
-// appended to pulse_edits.jsonl beside pulses.jsonl, so that the whole history stays.
+// The pulses of a kept session, with what was changed afterwards, and pulses.csv (resources/doc/formats.md).
+// A pulse can be excluded with a reason and taken in again, and its MEP can be entered; nothing removes it.
+// Changes are appended to pulse_edits.jsonl beside pulses.jsonl, so that the whole history stays.
 
 #include <filesystem>
 #include <optional>

@@ -49,7 +49,8 @@ struct SessionTrack {
   std::size_t at(double t_s) const;
 };
 
-/// `guidance_csv` may be missing. Throws Error: no poses.csv, or one without the columns of FORMATS.md.
+/// `guidance_csv` may be missing. Throws Error: no poses.csv, or one without the columns of
+/// resources/doc/formats.md.
 SessionTrack readSessionTrack(const std::filesystem::path& poses_csv,
                               const std::filesystem::path& guidance_csv);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The names of OpenCV's predefined ArUco dictionaries, as FORMATS.md writes them: 4x4_50 .. 7x7_1000,
-// aruco_original, apriltag_16h5 .. apriltag_36h11 (with or without a leading "DICT_", in any case).
+// The names of OpenCV's predefined ArUco dictionaries, as resources/doc/formats.md writes them: 4x4_50 ..
+// 7x7_1000, aruco_original, apriltag_16h5 .. apriltag_36h11 (with or without a leading "DICT_", in any case).
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
-// Optional content of stereo.yml beside the rig (FORMATS.md: board, views, created; and the effect at the
-// head: effect_distance_mm, effect_point_mm, effect_depth_mm, effect_length_mm, effect_motion_mm,
-// effect_motion_deg).
+// Optional content of stereo.yml beside the rig (resources/doc/formats.md: board, views, created; and the
+// effect at the head: effect_distance_mm, effect_point_mm, effect_depth_mm, effect_length_mm,
+// effect_motion_mm, effect_motion_deg).
 
 #include <filesystem>
 #include <optional>

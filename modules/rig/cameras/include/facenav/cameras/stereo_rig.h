@@ -40,9 +40,9 @@ struct StereoRig {
 /// measure row times anew.
 bool isSameCalibration(const StereoRig& a, const StereoRig& b);
 
-/// Reads stereo.yml (FORMATS.md). Throws Error naming the file and the missing or malformed key: K without
-/// positive focal lengths, R that is no rotation, T of zero length or one that looks like metres (< 5 mm), a
-/// row time with which a picture would take longer than kLongestReadout_s.
+/// Reads stereo.yml (resources/doc/formats.md). Throws Error naming the file and the missing or malformed
+/// key: K without positive focal lengths, R that is no rotation, T of zero length or one that looks like
+/// metres (< 5 mm), a row time with which a picture would take longer than kLongestReadout_s.
 StereoRig readRig(const std::filesystem::path& path);
 /// Writes the whole stereo.yml or nothing.
 void writeRig(const StereoRig& rig, const std::filesystem::path& path);

@@ -1,6 +1,6 @@
 #pragma once
-// Recording: the folder of FORMATS.md, read and written. It may hold image folders or videos, any start
-// index, any rig.
+// Recording: the folder of resources/doc/formats.md, read and written. It may hold image folders or videos,
+// any start index, any rig.
 
 #include <filesystem>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 // RigStore: camera pairs kept under a name: which two cameras, with which locked settings and which
-// calibration. One folder a rig: rig.json (FORMATS.md) and stereo.yml. Default place: the user's
-// configuration folder.
+// calibration. One folder a rig: rig.json (resources/doc/formats.md) and stereo.yml. Default place: the
+// user's configuration folder.
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
-// Writes meshes for other programs: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm, FORMATS.md),
-// never LPS. For programs that assume LPS (3D Slicer does for STL without a header) the file's comment says
-// "SPACE=RAS".
+// Writes meshes for other programs: STL, PLY, OBJ, VTP, GIFTI. Always Mri coordinates (RAS mm,
+// resources/doc/formats.md), never LPS. For programs that assume LPS (3D Slicer does for STL without a
+// header) the file's comment says "SPACE=RAS".
 
 #include <filesystem>
 #include <string>

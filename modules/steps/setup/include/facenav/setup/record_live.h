@@ -1,7 +1,7 @@
 #pragma once
-// RECORD: live cameras (or any other frame source) -> a recording folder (FORMATS.md) that align, track,
-// calibrate-coil and rig check read. Capture times are those of the source. The folder appears when it is
-// complete.
+// RECORD: live cameras (or any other frame source) -> a recording folder (resources/doc/formats.md) that
+// align, track, calibrate-coil and rig check read. Capture times are those of the source. The folder appears
+// when it is complete.
 
 #include <filesystem>
 #include <functional>

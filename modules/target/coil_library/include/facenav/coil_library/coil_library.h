@@ -1,7 +1,7 @@
 #pragma once
-// The library of coils: a folder with one folder a coil, each with its coil.json (FORMATS.md, coil_card.h),
-// mesh and patterns. Verbs and window choose a coil by its name. No two coils of a library carry the same
-// marker: a picture could not tell which of them it shows.
+// The library of coils: a folder with one folder a coil, each with its coil.json (resources/doc/formats.md,
+// coil_card.h), mesh and patterns. Verbs and window choose a coil by its name. No two coils of a library
+// carry the same marker: a picture could not tell which of them it shows.
 
 #include <filesystem>
 #include <optional>

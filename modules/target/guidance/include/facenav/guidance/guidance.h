@@ -1,6 +1,6 @@
 #pragma once
-// Guidance: how far the coil is from the target, and what to do next (values of FORMATS.md, guidance.csv).
-// Pure functions of transforms, independent of the trackers.
+// Guidance: how far the coil is from the target, and what to do next (values of resources/doc/formats.md,
+// guidance.csv). Pure functions of transforms, independent of the trackers.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-// Writes guidance.csv (columns of FORMATS.md): one line per frame; value columns are empty when lost.
+// Writes guidance.csv (columns of resources/doc/formats.md): one line per frame; value columns are empty when
+// lost.
 
 #include <cstdint>
 #include <filesystem>

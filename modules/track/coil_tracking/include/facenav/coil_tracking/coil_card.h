@@ -1,7 +1,7 @@
 #pragma once
 // CoilCard: what coil.json says of a coil beside its markers (coil_tracker.h) and its contact outline
 // (guidance/coil_plate.h): who made it, where its field is strongest, and how and when it was calibrated.
-// Additional keys of FORMATS.md's coil.json, all optional.
+// Additional keys of resources/doc/formats.md's coil.json, all optional.
 
 #include <Eigen/Core>
 #include <filesystem>

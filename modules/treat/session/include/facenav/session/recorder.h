@@ -1,6 +1,6 @@
 #pragma once
-// Recorder: writes a session's frames as a recording folder (FORMATS.md), on its own thread behind a bounded
-// queue. When the disk is too slow, frames are dropped and counted; tracking never waits.
+// Recorder: writes a session's frames as a recording folder (resources/doc/formats.md), on its own thread
+// behind a bounded queue. When the disk is too slow, frames are dropped and counted; tracking never waits.
 
 #include <cstdint>
 #include <filesystem>
