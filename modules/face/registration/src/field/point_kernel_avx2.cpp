@@ -33,7 +33,7 @@ inline Vector turned(const View& view, const Vector& p) {
   return {row(0), row(1), row(2)};
 }
 
-/// Is 0 <= v < limit? False for NaN.
+/// True if 0 <= v < limit; false for NaN.
 inline __m256 within(__m256 v, float limit) {
   return _mm256_and_ps(_mm256_cmp_ps(v, _mm256_setzero_ps(), _CMP_GE_OQ),
                        _mm256_cmp_ps(v, splat(limit), _CMP_LT_OQ));
