@@ -7,11 +7,10 @@
 
 namespace facenav::registration::point {
 
-constexpr int kBlock = 128;            // number of points processed together; a multiple of 8
-constexpr float kGrazing_cos = 0.12f;  // skin at a flatter angle to the view has no counterpart
-constexpr float kNormalsAgree_cos =
-    0.3f;                           // cloud normals are noisy: only large disagreement excludes a point
-constexpr float kNoSkin_mm = 1e5f;  // larger distances and NaN have no counterpart
+constexpr int kBlock = 128;                // number of points processed together; a multiple of 8
+constexpr float kGrazing_cos = 0.12f;      // skin at a flatter angle to the view has no counterpart
+constexpr float kNormalsAgree_cos = 0.3f;  // cloud normals are noisy: only large disagreement excludes
+constexpr float kNoSkin_mm = 1e5f;         // larger distances and NaN have no counterpart
 
 /// The cloud, one array per coordinate, Camera mm. The length is a whole number of blocks, padded with NaN.
 struct Points {
