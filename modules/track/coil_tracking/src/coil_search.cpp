@@ -98,7 +98,7 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
     });
     if (is_explained) continue;
     if (work.left() < kNewFitComparisons) {
-      // With candidates left unfitted, it is not known which of them is the coil.
+      // It is not known which of the unfitted candidates is the coil.
       deferred_comparisons_ = std::min(int(candidates.size()) * kNewFitComparisons, kMostDeferred);
       deferred_ = std::move(candidates);
       found.good.clear();

@@ -15,7 +15,8 @@ constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate relative to 
 // Standard deviation of the turn that differences of size and skin between scan and live head imitate, beyond
 // the misfit model, with dense dots. Larger widens the bound and detects fewer turns.
 constexpr double kScan_rad = 0.05 * kRadPerDeg;
-// The same without dense dots (start.right->sigma_rad > 0), where the points' own deviation is added.
+// Standard deviation without dense dots (start.right->sigma_rad > 0), where the points' own deviation is
+// added.
 constexpr double kScanBesideDeviation_rad = 0.03 * kRadPerDeg;
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 

@@ -1,6 +1,6 @@
 #pragma once
-// From a robust pose to the result: pose under the misfit model, residuals, inliers, covariance. Refuses a
-// pose that cannot be trusted.
+// FitReport: computes the result from a robust pose: pose under the misfit model, residuals, inliers,
+// covariance. Refuses a pose that cannot be trusted.
 
 #include "fit_checks.h"
 
