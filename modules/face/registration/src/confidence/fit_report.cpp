@@ -91,7 +91,7 @@ Vector6d headByTurn(const PosePosterior& posterior, const RigidTransform<Camera,
   return motion;
 }
 
-/// Returns nothing if chance explains the turn, or if its effect is small.
+/// Caution about a turned camera. Returns nothing if chance explains the turn, or if its effect is small.
 std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior, const Vector6d& head_by_turn,
                                                const Eigen::Vector3d& face_camera_mm) {
   constexpr double kSaid_mm = 2.0;

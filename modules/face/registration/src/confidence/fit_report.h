@@ -1,5 +1,5 @@
 #pragma once
-// FitReport: computes the result from a robust pose: pose under the misfit model, residuals, inliers,
+// Computes the result from a robust pose: pose under the misfit model, residuals, inliers,
 // covariance. Refuses a pose that cannot be trusted.
 
 #include "fit_checks.h"

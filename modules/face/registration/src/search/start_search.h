@@ -1,5 +1,5 @@
 #pragma once
-// StartSearch: finds start poses for the fit without a click. Orientations: facing the camera with any roll,
+// Finds start poses for the fit without a click. Orientations: facing the camera with any roll,
 // or around the guess, or with the roll of the hints. Positions: where the cloud is dense. Each is fitted
 // coarsely on the field; the best distinct ones are kept.
 

@@ -69,7 +69,7 @@ FaceCloudOptions optionsFor(const cameras::StereoRig& rig, const std::vector<Poi
   return options;
 }
 
-/// Returns nothing if the surface is not measured there, is oblique, or jumps.
+/// The surface at the pixel. Returns nothing if it is not measured there, is oblique, or jumps.
 std::optional<SurfaceAtPixel> surfaceAt(const FaceCloud& measured, const View& seen,
                                         const Eigen::Vector2d& px, const Eigen::Vector3d& right_eye_mm) {
   SurfaceAtPixel surface;

@@ -26,7 +26,7 @@ class PatchTrack {
   PatchTrack& operator=(const PatchTrack&) = delete;
 
   /// Learns the patches. `face_box`: the face in the left reference image. Throws Error if the reference
-  /// holds too few patches.
+  /// shows too few patches.
   void start(const cameras::StereoRig& rig, const HeadReference& reference, const FaceRegion& region,
              const FaceSurface& surface, const cv::Rect& face_box);
   /// Discards everything learnt since start(), because it is in doubt.

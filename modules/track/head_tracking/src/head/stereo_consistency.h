@@ -29,7 +29,7 @@ class StereoConsistency {
   /// Adds an observation of two values with this weight: by_both * xi + by_right * zeta = off.
   void add(int region, const Eigen::Matrix<float, 2, 6>& by_both, const Eigen::Matrix<float, 2, 6>& by_right,
            const Eigen::Vector2f& off, const Eigen::Matrix2f& weight);
-  /// Returns nothing if too few parts of the face are visible.
+  /// Solves the observations. Returns nothing if too few parts of the face are visible.
   std::optional<SidesFit> solve() const;
 
  private:

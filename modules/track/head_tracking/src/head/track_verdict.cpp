@@ -16,7 +16,7 @@ constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
 // degrees).
 constexpr double kWorstSigma_mm = 0.6;
 constexpr double kWorstSigma_rad = 0.4 * kRadPerDeg;
-constexpr double kMomentFactor = 5.0 / 3.0;  // factor for a face found again: a third of it
+constexpr double kMomentFactor = 5.0 / 3.0;  // factor for a face found again: a third of 3 mm
 constexpr double kCortexDepth_mm = 90.0;     // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;
 

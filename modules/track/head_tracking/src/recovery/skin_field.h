@@ -18,7 +18,7 @@ struct SkinFieldPose {
   Matrix6d covariance = Matrix6d::Identity();  // covariance of xi
 };
 
-/// Returns nothing if the matches do not determine a pose.
+/// Solves for pose and skin motion. Returns nothing if the matches do not determine a pose.
 std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
                                                 const std::vector<SkinMatch>& matches);
 

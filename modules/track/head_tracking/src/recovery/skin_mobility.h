@@ -19,7 +19,7 @@ struct SkinPart {
 class SkinMobility {
  public:
   static constexpr int kParts = 14;
-  /// Assumes that every part moves like the forehead, if there are no landmarks.
+  /// Assumes that every part moves like the forehead; used without landmarks.
   SkinMobility() = default;
   explicit SkinMobility(const face::FaceLandmarks& face);
 

@@ -14,7 +14,7 @@ namespace facenav::face {
 struct StereoFace {
   FaceLandmarks left, right;
   std::vector<Eigen::Vector3d>
-      points_mm;  // the 68 landmarks in Camera; empty when no landmark model is installed
+      points_mm;  // the 68 landmarks in Camera; empty if no landmark model is installed
 };
 
 /// Finds the face in both images and triangulates its landmarks. Returns nothing if one image shows no face,

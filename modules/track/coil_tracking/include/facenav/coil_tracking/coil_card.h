@@ -1,7 +1,7 @@
 #pragma once
 // CoilCard: the data of coil.json about a coil other than its markers (coil_tracker.h) and its contact
 // outline (guidance/coil_plate.h): maker, place of the strongest field, method and time of its calibration.
-// Additional keys of FORMATS.md's coil.json, all optional.
+// Additional keys of coil.json (resources/doc/formats.md), all optional.
 
 #include <Eigen/Core>
 #include <filesystem>

@@ -34,7 +34,7 @@ struct MarkerModel {
   RigidTransform<Coil, Marker> coil_T_marker;
 };
 
-/// coil.json (FORMATS.md).
+/// coil.json (resources/doc/formats.md).
 struct CoilModel {
   std::string name;
   std::vector<MarkerModel> markers;
