@@ -13,12 +13,13 @@
 namespace facenav::face {
 namespace {
 
-// Rolls in the order tried, upright first; the last three: cameras on their side or upside down.
+// Rolls in the order tried, upright first. The last three are for cameras mounted on their side or upside
+// down.
 constexpr double kRolls_deg[] = {0, 20, -20, 40, -40, 60, -60, 90, -90, 180};
-constexpr int kDetectionEdge_px = 400;  // the cascade runs on an image reduced to about this
-constexpr int kSmallestFace_px = 44;    // in the reduced image
+constexpr int kDetectionEdge_px = 400;  // edge of the reduced image that the cascade searches
+constexpr int kSmallestFace_px = 44;    // size of the smallest face in the reduced image
 constexpr int kLeastSupport = 4;  // overlapping windows that agree on a face; real faces have 10 and more
-constexpr int kSureSupport = 12;  // enough to skip the other rolls
+constexpr int kSureSupport = 12;  // support with which the other rolls are skipped
 
 std::string cascadePath() {
   for (const char* folder : {"/usr/share/opencv4/haarcascades", "/usr/share/opencv/haarcascades",

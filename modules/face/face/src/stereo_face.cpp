@@ -8,9 +8,8 @@
 namespace facenav::face {
 namespace {
 
-constexpr double kLandmarkEpipolarShare =
-    0.05;  // of the face's width: landmarks have an error of a few per cent of it
-constexpr double kLandmarkFit_mm = 9.0;  // a landmark's depth has an error of several mm
+constexpr double kLandmarkEpipolarShare = 0.05;  // share of the face's width
+constexpr double kLandmarkFit_mm = 9.0;          // a landmark's depth has an error of several mm
 
 bool agree(const cameras::StereoRig& rig, const StereoFace& face) {
   std::vector<double> epipolar_px;

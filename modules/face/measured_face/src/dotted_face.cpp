@@ -5,7 +5,7 @@
 namespace facenav::measured_face {
 namespace {
 
-/// The face's box, enlarged to include forehead, chin and temples; nothing if no face was found.
+/// The face's box, enlarged to include forehead, chin and temples; empty if no face was found.
 std::optional<cv::Rect> region(const FaceInSpace& face, const cameras::StereoRig& rig) {
   if (!face.left) return std::nullopt;
   const cv::Rect& box = face.left->face;

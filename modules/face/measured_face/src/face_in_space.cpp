@@ -37,7 +37,7 @@ void setStart(FaceInSpace& face, const Triangulated& points) {
   const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
   if (!right_eye || !left_eye) return;
   const double eyes_mm = (*right_eye - *left_eye).norm();
-  if (!anatomy::kEyesInSpace.contains(eyes_mm)) return;  // at least one of the two is not this face
+  if (!anatomy::kEyesInSpace.contains(eyes_mm)) return;  // one of the two is not this face
   face.start.patient_right = Direction<Camera>(*right_eye - *left_eye);
   if (mouth) {
     const Eigen::Vector3d x = face.start.patient_right->v;

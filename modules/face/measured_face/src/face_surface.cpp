@@ -13,16 +13,16 @@
 namespace facenav::measured_face {
 namespace {
 
-constexpr double kCell_mm = 1.5;          // between vertices: some points each, so that noise averages out
-constexpr double kLongestEdge_cells = 4;  // longer: two surfaces, one behind the other
-constexpr double kMostSigma = 3;          // times the median: a point measured much worse is left out
-constexpr double kMostGrazing = 0.26;     // cosine of 75 degrees between normal and view
-constexpr double kOnSkin_mm = 2.0;        // of the MRI's skin
-constexpr double kLeastExtent_mm = 90;    // across and down: a whole face has 130 and 180
+constexpr double kCell_mm = 1.5;  // cell of one vertex; contains several points, so that noise averages out
+constexpr double kLongestEdge_cells = 4;  // longer edges connect two surfaces, one behind the other
+constexpr double kMostSigma = 3;          // relative to the median; points with more are left out
+constexpr double kMostGrazing = 0.26;     // least cosine between normal and view: 75 degrees
+constexpr double kOnSkin_mm = 2.0;        // largest distance from the MRI's skin
+constexpr double kLeastExtent_mm = 90;    // across and down; a whole face has 130 and 180
 
 using FaceCells = std::map<std::pair<int, int>, int>;
 
-/// Points that are measured well, face the camera, and lie on the MRI's skin where that is known.
+/// Points that are measured well, face the camera, and lie on the MRI's skin if that is known.
 std::vector<std::size_t> goodPoints(const stereo::FaceCloud& face,
                                     const RigidTransform<Mri, Camera>& mri_T_camera,
                                     const registration::ScalpField* scalp) {
@@ -79,7 +79,7 @@ void addTriangles(const FaceCells& cells, surface::TriangleMesh& mesh) {
   }
 }
 
-/// The largest connected part: tufts of hair, a collar or a hand lie apart from the face.
+/// The largest connected part. Hair, a collar or a hand is separate from the face.
 surface::TriangleMesh largestPart(const surface::TriangleMesh& mesh) {
   std::vector<int> part(mesh.vertices_mm.size());
   std::iota(part.begin(), part.end(), 0);

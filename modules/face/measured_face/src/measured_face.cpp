@@ -23,7 +23,7 @@ std::shared_ptr<const cameras::StereoFrame> frameOf(capture::FrameSource& film, 
                     : "look into timestamps.csv");
 }
 
-/// Position of the first frame's face in the current frame.
+/// The first frame's face, moved to its position in the current frame.
 FaceInSpace moved(const FaceInSpace& first, const Eigen::Isometry3d& now_T_first) {
   FaceInSpace now;
   if (first.centre) now.centre = Point<Camera>(Eigen::Vector3d(now_T_first * first.centre->mm));

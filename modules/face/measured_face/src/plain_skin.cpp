@@ -8,9 +8,9 @@
 namespace facenav::measured_face {
 namespace {
 
-constexpr double kBefore_mm = 180.0;  // the landmarks' centre: a hand or a coil in front of the face
+constexpr double kBefore_mm = 180.0;  // distance of a hand or coil in front of the landmarks' centre
 constexpr double kAround_mm = 150.0;
-// Plain skin shows little detail finer than this, so larger images are reduced.
+// Resolution beyond which plain skin shows little detail; larger images are reduced to it.
 constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
 
 cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {

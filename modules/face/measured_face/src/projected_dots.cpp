@@ -9,14 +9,14 @@ namespace facenav::measured_face {
 namespace {
 
 constexpr int kFineScale_px = 9;
-constexpr double kDotsContrast = 1.5;  // ratio of fine detail with dots to that without; without dots it is 1
+constexpr double kDotsContrast = 1.5;  // least ratio of fine detail with dots to that without dots
 
-// Dense dots lie 4 to 8 px apart in 640 px, the paper's ten times as far: hardly a tile with such a dot has a
-// neighbour with one.
+// Dense dots lie 4 to 8 px apart at 640 px. The paper's lie ten times as far apart, so that hardly any tile
+// with a dot has a neighbour with one.
 constexpr int kTilesAcross = 40, kFewestDots = 12;
 constexpr double kDense = 0.4, kDark_grey = 8.0, kDotOverSkin = 0.25;
 
-/// One value a tile: 1 where a point is clearly brighter than the tile's middle.
+/// One value per tile: 1 if a point is clearly brighter than the tile's middle.
 cv::Mat brightPoints(const cv::Mat& image, int tile_px) {
   cv::Mat found = cv::Mat::zeros(image.rows / tile_px, image.cols / tile_px, CV_8U);
   std::vector<double> grey;
@@ -51,7 +51,7 @@ bool areDotsSparse(const capture::CapturePair& capture) {
     return false;
   const cv::Mat dots = brightPoints(capture.pattern.left, tile_px),
                 own = brightPoints(capture.plain.left,
-                                   tile_px);  // what the face shows without dots says nothing
+                                   tile_px);  // ignores what the plain image shows too
   int single = 0, beside = 0;
   for (int row = 0; row < dots.rows; ++row)
     for (int column = 0; column + 1 < dots.cols; ++column) {

@@ -12,8 +12,8 @@
 namespace facenav::measured_face {
 namespace {
 
-// Measured shared error of matching: 0.000 to 0.010 px (mean over a face against its true depth, rigs of
-// three baselines and focal lengths).
+// Standard errors of a disparity shared by the whole face: by matching, and by a good calibration without a
+// covariance. Larger is safe.
 constexpr double kMatching_px = 0.01, kGoodCalibration_px = 0.02;
 
 Eigen::Vector3d medianOf(const PointCloud<Camera>& face) {
@@ -28,7 +28,7 @@ Eigen::Vector3d medianOf(const PointCloud<Camera>& face) {
 }
 
 /// Standard error of the depth of two given pixels, from the calibration's covariance: root sum of squares of
-/// the changes by one standard deviation each.
+/// the changes by one standard deviation of each parameter.
 double byCalibration_mm(const cameras::StereoRig& rig, const Eigen::Vector3d& p_mm) {
   const Eigen::Vector2d left_px = cameras::project(rig.left, p_mm),
                         right_px = cameras::project(rig.right, rig.right_T_left.isometry() * p_mm);
@@ -52,7 +52,7 @@ double sharedDepthSigma_mm(const cameras::StereoRig& rig, const PointCloud<Camer
 
 namespace {
 
-/// Root mean square of the stated deviations.
+/// Root mean square of the predicted deviations.
 double statedDeviation_mm(const stereo::FaceCloud& face) {
   double squares = 0;
   for (const float sigma_mm : face.sigma_mm) squares += double(sigma_mm) * double(sigma_mm);

@@ -16,10 +16,10 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr int kFewestFrames = 5, kFewestPoses = 10;
-constexpr double kOutlier = 3.5;          // times the median distance (of a Gaussian: 1 in some thousands)
-constexpr double kLeastOutlier_mm = 0.5;  // nothing nearer than this is an outlier
+constexpr double kOutlier = 3.5;  // times the median distance; exceeded by 1 in some thousand Gaussian values
+constexpr double kLeastOutlier_mm = 0.5;  // smaller distances are never outliers
 constexpr double kLeastTurn_rad = 20 * kRadPerDeg, kShortestArm_mm = 20.0;
-constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, so one in four counts
+constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, so one in four is independent
 
 Eigen::Matrix3d meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -35,7 +35,7 @@ Eigen::Isometry3d meanPose(const std::vector<Eigen::Isometry3d>& poses) {
   return mean;
 }
 
-/// Leaves out what lies far from the median; `distance` measures from there.
+/// Removes outliers; `distance` measures from the median.
 template <class T, class Distance>
 std::vector<T> withoutOutliers(const std::vector<T>& all, Distance distance) {
   std::vector<double> distances;
@@ -47,7 +47,7 @@ std::vector<T> withoutOutliers(const std::vector<T>& all, Distance distance) {
   return kept;
 }
 
-/// Least squares of R_i c - tip = -t_i.
+/// Least-squares solution of R_i c - tip = -t_i.
 Pivot solvePivot(const std::vector<RigidTransform<Camera, Marker>>& poses, Eigen::Vector3d& tip_mm) {
   Matrix6d normal = Matrix6d::Zero();
   Vector6d right = Vector6d::Zero();
@@ -179,7 +179,7 @@ void writeCalibratedCoil(CoilModel coil, const CoilCalibration& calibration,
   using Json = nlohmann::ordered_json;
   const Json before = source.empty() ? Json::object() : Json::parse(readWholeFile(source));
   const auto old_marker_T_coil = coil.markers.front().coil_T_marker.inverse();
-  for (MarkerModel& marker : coil.markers)  // first marker -> this marker stays as it was
+  for (MarkerModel& marker : coil.markers)  // keeps the pose of this marker relative to the first
     marker.coil_T_marker = calibration.marker_T_coil.inverse() * (old_marker_T_coil * marker.coil_T_marker);
   writeCoil(coil, path);
   Json json = Json::parse(readWholeFile(path));

@@ -6,19 +6,20 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// Limits within which a fit is accepted as the coil.
+// Acceptance limits of a fit.
 constexpr double kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
 constexpr double kMostShrink_px = 1.5;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
 constexpr double kMostDepth_mm = 5000.0;
 constexpr double kMostSizeSigma = 2.5e-3;  // with a larger error, the size does not constrain the depth
 constexpr int kReadComparisons = 40;       // work to read the pattern in both images
-// One image allows two starting poses: is the second worth a fit, and did it lead to the same pose?
+// One image allows two starting poses. The second is skipped if it is out of question, or leads to the same
+// pose.
 constexpr double kOutOfQuestion = 2.0;  // times the spread
 constexpr double kSame_mm = 1.0, kSame_rad = 0.02;
 
 bool isPlausible(const CoilSetup& setup, const MarkerFit& fit, const std::vector<std::size_t>& markers) {
-  // An ARToolKit picture has a known outline only: blur and size look alike there, so yaw cannot be seen.
+  // An ARToolKit picture has a known outline only: blur and size look alike there, so yaw is not observable.
   const bool has_inner_edges = std::any_of(
       markers.begin(), markers.end(), [&](std::size_t marker) { return setup.patterns[marker].isBinary(); });
   if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
@@ -56,7 +57,7 @@ std::optional<CoilFit> fitFrom(const CoilSetup& setup, const cameras::StereoFram
   return rough ? finish(setup, frame, markers, rough->state, work) : std::nullopt;
 }
 
-/// Fits again with all other markers that both images show where the fit predicts them.
+/// Fits again with all other markers that both images show at their predicted places.
 CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& frame, CoilFit found,
                          FrameWork& work) {
   std::vector<std::size_t> all = found.markers;
@@ -94,8 +95,8 @@ std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::
                                          std::size_t marker, const std::vector<FitState>& starts,
                                          FrameWork& work) {
   std::vector<OutlineFit> rough;
-  // A marker's size alone gives its depth to 2 %: an error of some pixels along the other image's epipolar
-  // line.
+  // A marker's size alone gives its depth to 2 %, which is an error of some pixels along the other image's
+  // epipolar line.
   for (const FitState& start : starts) {
     const int reach_px = searchReach_px(setup, {marker}, CoilToCamera::fromIsometry(start.camera_T_coil));
     if (const auto fit =

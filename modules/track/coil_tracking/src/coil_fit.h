@@ -1,7 +1,7 @@
 #pragma once
-// CoilFit: from an approximate pose to a fit that is accepted as the coil. All printed edges in both images
-// are fitted (marker_fit.h), and the pattern must be read in both images at the fitted pose. Whether the
-// calibration of the cameras still holds is checked separately.
+// CoilFit: an accepted fit of the coil, from an approximate pose. All printed edges in both images are fitted
+// (marker_fit.h), and the pattern must be readable in both images at the fitted pose. Whether the calibration
+// of the cameras still holds is checked separately.
 
 #include <optional>
 #include <vector>
@@ -12,8 +12,7 @@
 
 namespace facenav::coil_tracking {
 
-constexpr double kMostBias_px =
-    0.35;  // rms of edges' mean residuals; a wrong pairing or another object gives more
+constexpr double kMostBias_px = 0.35;  // rms of edges' mean residuals; more: wrong pairing or another object
 
 struct CoilFit {
   MarkerFit fit;
@@ -23,11 +22,11 @@ struct CoilFit {
 /// Approximate upper limit of the work to fit one marker, in patch comparisons: newly found, and predicted.
 constexpr int kNewFitComparisons = 1400, kFitComparisons = 800;
 
-/// Fits these markers near `start`, then adds the others that both images show where the fit predicts them.
+/// Fits these markers near `start`, then adds the others that both images show at their predicted places.
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                const std::vector<std::size_t>& markers, const CoilToCamera& start,
                                FrameWork& work);
-/// Fits one marker from the start that fits best: one image allows two poses.
+/// Fits one marker from the start that fits best, since one image allows two poses.
 std::optional<CoilFit> fitCoilFromEither(const CoilSetup& setup, const cameras::StereoFrame& frame,
                                          std::size_t marker, const std::vector<FitState>& starts,
                                          FrameWork& work);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kSamePlace_mm = 5.0, kSamePlace_px = 4.0;
 constexpr int kOneLightComparisons = 600;  // approximate work to search one image in one light
-constexpr int kMostDeferred = 3000;        // leaves room for the fit of a tracked head
+constexpr int kMostDeferred = 3000;        // leaves budget for the fit of a tracked head
 
-/// Whether this detection is the marker that `good` already fits.
+/// True if this detection is the marker that `good` already fits.
 bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection& seen, bool is_left) {
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, good.fit.free_state, good.fit.centre_mm);
   const auto corners =
@@ -21,7 +21,7 @@ bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection
   return true;
 }
 
-/// The poses that the one image allows, and where the other contradicts them, those that both show.
+/// Start poses: those that the one image allows, and if the other contradicts them, those from both images.
 std::vector<FitState> startsOf(const CoilSetup& setup, const MarkerDetection& seen, bool is_left,
                                const std::vector<MarkerDetection>& in_other) {
   const auto poses = posesFromOneImage(setup, seen, is_left);
@@ -98,7 +98,7 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
     });
     if (is_explained) continue;
     if (work.left() < kNewFitComparisons) {
-      // With a rest unfitted, it is not known which of them is the coil.
+      // It is not known which of the unfitted candidates is the coil.
       deferred_comparisons_ = std::min(int(candidates.size()) * kNewFitComparisons, kMostDeferred);
       deferred_ = std::move(candidates);
       found.good.clear();

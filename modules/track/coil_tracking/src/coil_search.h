@@ -1,9 +1,9 @@
 #pragma once
-// CoilSearch: finds a lost coil anywhere in the frame, with limited work in each frame. While the coil stays
-// lost, a frame searches one image, left and right in turn, and the other image only when the first shows a
-// marker. That halves the work and finds the coil at most one frame later. Every third such frame searches
-// for dim light, so six frames cover each image in both. Work beyond the budget is deferred to the next frame
-// and its images.
+// CoilSearch: finds a lost coil anywhere in the frame, with limited work per frame. While the coil stays
+// lost, a frame searches one image, left and right in turn, and the other image only if the first shows a
+// marker. This halves the work and finds the coil at most one frame later. Every third such frame searches
+// for dim light, so six frames cover each image in both lights. Work beyond the budget is deferred to the
+// next frame and its images.
 
 #include <vector>
 
@@ -15,31 +15,31 @@ namespace facenav::coil_tracking {
 class CoilSearch {
  public:
   struct Found {
-    std::vector<CoilFit> good;  // at different places
+    std::vector<CoilFit> good;  // fits at different places
     bool is_seen_in_left = false, is_seen_in_right = false;
     bool isSeen() const { return (is_seen_in_left && is_seen_in_right) || !good.empty(); }
   };
 
-  /// Call in a frame where the coil was not found at its predicted pose. Adds to `work`.
+  /// Searches in a frame in which the coil was not found at its predicted pose. Adds to `work`.
   Found seek(const CoilSetup& setup, const cameras::StereoFrame& frame, FrameWork& work);
-  /// Resets the search: the coil was found, or the frame is unusable.
+  /// Resets the search, because the coil was found or the frame is unusable.
   void end() { *this = {}; }
   /// Work needed to continue in the next frame.
   FrameWork deferred() const { return {deferred_comparisons_}; }
 
  private:
-  /// A marker detected in one image, and where a fit can start.
+  /// A marker detected in one image, and start poses for its fit.
   struct Candidate {
     MarkerDetection seen;
     bool is_left;
     std::vector<FitState> starts;
   };
 
-  /// Searches one image. `in_other`: what the other image shows, empty before it is searched; replaced by
-  /// what this image shows.
+  /// Searches one image. `in_other`: markers in the other image, empty before it is searched; replaced by
+  /// those of this image.
   void look(const CoilSetup& setup, const cameras::StereoFrame& frame, bool is_left, MarkerLight light,
             std::vector<MarkerDetection>& in_other, Found& found, FrameWork& work);
-  /// Fits all candidates, or none: then they are deferred.
+  /// Fits all candidates, or defers all of them.
   void fit(const CoilSetup& setup, const cameras::StereoFrame& frame, std::vector<Candidate> candidates,
            Found& found, FrameWork& work);
 

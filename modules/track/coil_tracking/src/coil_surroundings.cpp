@@ -7,7 +7,7 @@
 namespace facenav::coil_tracking {
 namespace {
 
-/// The whole pixels that the corners enclose, within the picture.
+/// The whole pixels between the corners, within the picture.
 cv::Rect boxOf(const std::array<Eigen::Vector2d, 4>& corners_px, cv::Size size) {
   Eigen::Vector2d low = corners_px[0], high = corners_px[0];
   for (const Eigen::Vector2d& corner : corners_px) low = low.cwiseMin(corner), high = high.cwiseMax(corner);

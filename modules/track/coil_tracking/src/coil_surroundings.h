@@ -1,6 +1,6 @@
 #pragma once
-// CoilSurroundings: the part of both pictures round the marker, kept to see that a later pair shows the very
-// same picture under a new time. Sensor noise makes two pictures differ, and so does motion.
+// CoilSurroundings: a copy of both pictures round the marker, to detect that a later pair is the same picture
+// under a new time. Two new pictures always differ, by sensor noise or motion.
 
 #include <array>
 #include <opencv2/core.hpp>
@@ -14,7 +14,7 @@ class CoilSurroundings {
  public:
   CoilSurroundings() = default;
   CoilSurroundings(const cameras::StereoFrame& frame, const health::SquareObservation& marker);
-  /// Either picture is the same bit for bit where the marker was. A moving coil is not there any more.
+  /// True if either picture is bit for bit the same where the marker was. A moving coil has left that place.
   bool isRepeatedIn(const cameras::StereoFrame& frame) const;
 
  private:

@@ -16,26 +16,26 @@ namespace facenav::coil_tracking {
 namespace {
 
 // Limits within which the calibration still holds. Pitch moves the image across the epipolar lines, roll
-// turns it; calibrations leave 0.1-0.3 px and 0.02 deg. Yaw changes only the apparent size of the print: a
+// turns it; calibrations leave 0.1-0.3 px and 0.02 deg. Yaw changes only the apparent size of the print, so a
 // wrong size means a wrong depth.
 constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
 constexpr double kScaleSigma = 1e-3;        // relative error of lengths after a good calibration
-constexpr double kMostDepthError_mm = 2.5;  // half of a harmful error; the size shows this one with certainty
+constexpr double kMostDepthError_mm = 2.5;  // half of a harmful error; the size shows it reliably
 constexpr double kCertain = 2.0;            // standard deviations
 constexpr double kLongestPrediction_s = 0.5;
 constexpr double kNoDifference_mm =
-    0.03;                           // motion between the two exposures; below it a second fit changes nothing
+    0.03;                           // motion between the exposures; for less, a second fit changes nothing
 constexpr double kSteady_s = 0.03;  // time constant that smooths rotation and receding speed
-// Below this speed, a marker is used to check the cameras: the two may expose some milliseconds apart.
+// Largest speed at which a marker is used to check the cameras: the two may expose some milliseconds apart.
 constexpr double kResting_mm_s = 15.0;
-// A slower coil is sheared by a rolling shutter less than by errors of lens and print: 0.3 px in 20 ms.
+// Below this speed a rolling shutter shears the coil less than errors of lens and print: 0.3 px in 20 ms.
 constexpr double kFast_mm_s = 80.0;
 
 bool isUsable(const cv::Mat& grey, const cameras::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
 }
 
-/// Uniform grey: lens covered, camera unplugged, or black.
+/// True for uniform grey: lens covered, camera unplugged, or black.
 bool isBlank(const cv::Mat& grey) {
   double low = 0, high = 0;
   cv::minMaxLoc(grey, &low, &high);
@@ -50,21 +50,19 @@ class MarkerCoilTracker final : public CoilTracker {
  private:
   Tracked<CoilPose> poseIn(const cameras::StereoFrame& frame);
   std::optional<CoilFit> fitPredicted(const cameras::StereoFrame& frame, const CoilToCamera& prediction);
-  /// Whether the velocity is known well enough for the exposure offset. A coil just found has no velocity.
+  /// True if the velocity is known well enough for the exposure offset. It is unknown for a coil just found.
   bool isMotionKnown() const;
   bool holdsCalibration(const CoilFit& solution) const;
   Eigen::Isometry3d rightFromLeftAsSeen(const MarkerFit& fit) const {
     return rightFromLeft(setup_.rig, fit.free_state, fit.centre_mm);
   }
   std::optional<CoilToCamera> predicted(double t_s) const;
-  /// The right camera's pose as if the coil had stood still: moved by the coil's motion between the
-  /// exposures.
+  /// The right camera's pose relative to a coil at rest: moved by the coil's motion between the exposures.
   RigidTransform<RightCamera, Camera> rightAsSeen(const std::optional<CoilToCamera>& prediction) const;
   void remember(const CoilFit& solution, double t_s);
   /// The longest time between the coil's rows and the moment of the pose, in either camera, s.
   double lag_s(const CoilFit& solution) const;
-  /// Fits again if this frame changed the velocity that the fit `assumed`, so that the correction for motion
-  /// changes.
+  /// Fits again if this frame changed the velocity that the fit `assumed`, and with it the motion correction.
   CoilFit asItMoves(const cameras::StereoFrame& frame, const CoilFit& found, const Vector6d& assumed);
   void forgetMotion() { velocity_.setZero(), turning_.setZero(), receding_mm_s_ = 0.0, across_.reset(); }
   bool isMoving() const { return velocity_.tail<3>().norm() >= kResting_mm_s; }
@@ -78,7 +76,7 @@ class MarkerCoilTracker final : public CoilTracker {
   double right_late_s_ = 0.0, right_late_sigma_s_ = 0.0, right_turn_sigma_rad_ = 0.0;
   Vector6d velocity_ = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
   // Parts of the velocity. `across_` needs the left image only and is used as measured. The others depend on
-  // the correction for motion itself: they are smoothed, because errors would feed back.
+  // the correction for motion itself, so they are smoothed: their errors would feed back.
   std::optional<Eigen::Vector3d> across_;  // mm/s, of the left camera's ray, between the last two frames
   Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();  // rad/s
   double receding_mm_s_ = 0.0;                         // along that ray's z
@@ -87,11 +85,11 @@ class MarkerCoilTracker final : public CoilTracker {
     double t_s;
   };
   std::optional<Past> last_, before_;
-  CoilSurroundings surroundings_;  // of the coil in the last pictures
+  CoilSurroundings surroundings_;  // in the last pictures
   RowTimeEstimate row_times_;
   std::vector<std::size_t> last_markers_;
   CoilSearch search_;
-  FrameWork work_;  // of the frame so far, the head's included
+  FrameWork work_;  // of the frame so far, including the head's
   std::optional<health::SquareObservation> observation_;
   cameras::RigUncertainty uncertainty_;
   std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
@@ -105,7 +103,7 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   right_late_s_ = right_late_sigma_s_ = right_turn_sigma_rad_ = 0.0, forgetMotion();
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = cameras::uncertaintyOf(rig);
-  edgeWeights(kMostTaps, 0.8);  // builds the table now, not during a frame
+  edgeWeights(kMostTaps, 0.8);  // builds the table at start, not during a frame
   calibration_at_.reset();
   last_.reset();
   before_.reset();
@@ -244,7 +242,7 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const cameras::StereoFram
                                                        const CoilToCamera& prediction) {
   const auto in_view = markersInView(setup_, prediction);
   if (in_view.empty()) return std::nullopt;
-  std::vector<std::size_t> expected;  // markers of the last frame
+  std::vector<std::size_t> expected;  // markers found in the last frame
   for (const std::size_t marker : in_view)
     if (std::find(last_markers_.begin(), last_markers_.end(), marker) != last_markers_.end())
       expected.push_back(marker);
@@ -275,7 +273,7 @@ bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {
   if (pitch_px > kMostPitch_px + 3 * focal_px * right_turn_sigma_rad_ ||
       std::abs(fit.roll_rad) > kMostRoll_rad + 3 * std::hypot(fit.roll_sigma_rad, right_turn_sigma_rad_))
     return false;
-  double print_sigma = 1.0;  // the smallest of the prints
+  double print_sigma = 1.0;  // size factor's standard error, the smallest of the prints
   for (const std::size_t marker : solution.markers)
     print_sigma = std::min(print_sigma,
                            setup_.coil.markers[marker].size_sigma_mm / setup_.coil.markers[marker].size_mm);
@@ -290,7 +288,7 @@ health::SquareObservation MarkerCoilTracker::observationOf(const CoilFit& soluti
   const std::size_t marker = solution.markers.front();
   CoilSetup sized = setup_;
   sized.coil.markers[marker].size_mm *= fit.free_state.size_factor;
-  sized.rig.right_T_left = right_T_left_;  // as if both cameras had exposed at once
+  sized.rig.right_T_left = right_T_left_;  // for simultaneous exposures
   const Eigen::Isometry3d right_T_left = rightFromLeft(sized.rig, fit.free_state, fit.centre_mm);
   health::SquareObservation observation;
   observation.left_px.fill(Eigen::Vector2d::Zero()), observation.right_px.fill(Eigen::Vector2d::Zero());

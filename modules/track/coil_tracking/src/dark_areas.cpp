@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kTile_px = 2;
 
-/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours. In a larger neighbourhood, a
-/// bright object next to the marker's white margin would make the margin count as dark.
+/// Darkest and brightest grey of each tile of 2 x 2 pixels and its neighbours. With a larger neighbourhood, a
+/// bright object next to the marker's white margin would make the margin dark.
 struct TileRange {
   TileRange(int rows, int columns) : low(rows, columns, CV_8U), high(rows, columns, CV_8U) {}
   cv::Mat low, high;
@@ -92,7 +92,7 @@ class BorderWalk {
       area2 += long(p.x) * next.y - long(next.x) * p.y;
       p = next, at += offsets_[step];
       *at = kFollowed;
-      // Begins with the light pixel examined last, seen from the new position.
+      // Begins with the light pixel examined last, as seen from the new position.
       step = nextStep(at, (step + (step % 2 == 0 ? 6 : 5)) % 8);
       if (at == first && step == first_step) return area2;
     }
@@ -118,7 +118,7 @@ int find(const uchar* row, int x, int columns, uchar value) {
   return place == nullptr ? columns : int(static_cast<const uchar*>(place) - row);
 }
 
-/// From the light pixel `x` on: the next dark pixel that is not followed yet and comes after a light one;
+/// The next dark pixel from the light pixel `x` on that is not followed yet and comes after a light one;
 /// `columns`: none.
 int nextStart(const uchar* row, int x, int columns) {
   for (;;) {

@@ -84,7 +84,7 @@ std::optional<EdgePoint> locateEdge(const EdgeWeights& weights, const std::uint8
 std::optional<EdgePoint> searchEdge(const std::uint8_t* first, std::ptrdiff_t step, double place_px,
                                     bool is_black_after, int reach_px, double least_contrast) {
   const int centre = int(std::floor(place_px + 0.5));
-  const auto fall = [&](int x) {  // over x, from the two pixels before to the two after
+  const auto fall = [&](int x) {  // from two pixels before x to two after
     const std::uint8_t* p = first + x * step;
     const int sum = int(p[-2 * step]) + int(p[-step]) - int(p[step]) - int(p[2 * step]);
     return is_black_after ? sum : -sum;

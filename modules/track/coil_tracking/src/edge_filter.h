@@ -15,7 +15,7 @@
 
 namespace facenav::coil_tracking {
 
-constexpr int kFewestTaps = 2, kMostTaps = 4;  // on either side of the edge
+constexpr int kFewestTaps = 2, kMostTaps = 4;  // pixels on either side of the edge
 
 struct EdgePoint {
   double offset_px;  // from the predicted place, along the row
@@ -38,14 +38,14 @@ struct EdgeWeights {
 const EdgeWeights& edgeWeights(int taps, double blur_px);
 
 /// `first`: pixel 0 of the row; `step`: bytes between pixels. The edge is predicted at `place_px`; with
-/// `is_black_after`, black lies on the side of larger pixels. The taps must lie inside the image. Nothing
-/// when no edge of that polarity has `least_contrast`, or the edge is more than 1.5 px + blur away.
+/// `is_black_after`, black lies on the side of larger pixels. The taps must lie inside the image. Returns
+/// nothing if no edge of that polarity has `least_contrast`, or if it is more than 1.5 px + blur away.
 std::optional<EdgePoint> locateEdge(const EdgeWeights& weights, const std::uint8_t* first,
                                     std::ptrdiff_t step, double place_px, bool is_black_after,
                                     double least_contrast);
 
 /// The strongest white-to-black step within `reach_px` of the prediction, to about 0.3 px: a start value. The
-/// row must hold `reach_px + 3` pixels on either side.
+/// row must have `reach_px + 3` pixels on either side.
 std::optional<EdgePoint> searchEdge(const std::uint8_t* first, std::ptrdiff_t step, double place_px,
                                     bool is_black_after, int reach_px, double least_contrast);
 

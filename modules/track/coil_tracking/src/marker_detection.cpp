@@ -70,7 +70,7 @@ DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPatte
   const Darkness bright;
   Darkness dim;
   dim.least_contrast_grey = 10;
-  dim.share = 0.33;  // white paper darker than a bright wall behind it must still count as light
+  dim.share = 0.33;  // white paper darker than a bright wall behind it must still be light
   DetectedMarkers found;
   found.comparisons = int(grey.total()) / kShrunkPixelsPerComparison;
   if (light != MarkerLight::dim) detect(grey, small, patterns, bright, found);

@@ -1,7 +1,6 @@
 #pragma once
-// Which of the coil's markers one image shows, and where (paper, section 5, steps 1 to 4). Quadrangles are
-// searched in a smaller image (half of VGA: a quarter of the time and less noise); patterns are read from the
-// full one.
+// Detects the coil's markers in one image (paper, section 5, steps 1 to 4). Quadrangles are searched in a
+// smaller image (half of VGA: a quarter of the time and less noise); patterns are read from the full one.
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -24,10 +23,10 @@ struct DetectedMarkers {
   int comparisons = 0;  // work in patch comparisons (frame_work.h)
 };
 
-/// All quadrangles of the image that show one of the patterns; each place once.
+/// All quadrangles of the image that show one of the patterns, each place once.
 DetectedMarkers detectMarkers(const cv::Mat& grey, const std::vector<MarkerPattern>& patterns,
                               MarkerLight light = MarkerLight::bright_else_dim);
-/// Whether the quadrangle shows this pattern the right way up. For predicted places.
+/// True if the quadrangle shows this pattern the right way up. Used at predicted places.
 bool showsUpright(const cv::Mat& grey, const Quad& corners, const MarkerPattern& pattern);
 
 }  // namespace facenav::coil_tracking

@@ -8,24 +8,23 @@
 namespace facenav::coil_tracking {
 namespace {
 
-constexpr double kCornerGap_px =
-    1.5;  // blur extends this far round a corner, besides the taps of a slanted row
+constexpr double kCornerGap_px = 1.5;  // reach of the blur round a corner, besides the taps of a slanted row
 constexpr double kLeastLength_px = 3.0;
 constexpr double kLeastStep_grey = 8.0;
 constexpr double kNoise_grey = 2.0;  // of a common camera; only reduces the weight of edges with low contrast
-constexpr double kFloor_px = 0.02;   // left by lens and print, at any noise
-constexpr double kFirstSigma_px = 0.4;  // of an edge found by search
+constexpr double kFloor_px = 0.02;   // error left by lens and print without any noise
+constexpr double kFirstSigma_px = 0.4;  // error of an edge found by search
 
 /// One image with its camera, at the state's pose.
 struct Sight {
   const cv::Mat& grey;
   const cameras::CameraModel& camera;
   Eigen::Isometry3d view_T_camera;
-  Eigen::Vector3d pitch_axis;  // of the right camera; zero for the left image
+  Eigen::Vector3d pitch_axis;  // pitch axis of the right camera; zero for the left image
   int image;
 };
 
-/// The coil's motion during the picture: points move by constant velocity.
+/// The coil's motion during the picture, with constant velocity.
 struct RowMotion {
   Eigen::Vector3d turning, moving_mm, origin_mm;  // rad/s; mm/s, of the origin; Camera
   bool is_resting;
@@ -34,9 +33,9 @@ struct RowMotion {
     return moving_mm + turning.cross(p_mm - origin_mm);
   }
   static double belowMiddle(const Sight& sight, double row) { return row - 0.5 * (sight.grey.rows - 1); }
-  /// Where a point of the middle row's moment is when its own row is exposed.
+  /// Position of a point at the exposure of its own row, from its position at the middle row's.
   Eigen::Vector3d seenIn(const Sight& sight, const Eigen::Vector3d& p_mm) const {
-    constexpr int kRounds = 2;  // 300 mm/s and 50 us a row: the second changes it by 0.05 mm
+    constexpr int kRounds = 2;  // the second changes 300 mm/s at 50 us a row by 0.05 mm
     if (is_resting || sight.camera.row_time_s == 0.0) return p_mm;
     const Eigen::Vector3d by_row_mm = sight.camera.row_time_s * velocity_mm_s(p_mm);
     Eigen::Vector3d seen_mm = p_mm;
@@ -95,8 +94,8 @@ class LineSampler {
     return cameras::project(sight_.camera, sight_.view_T_camera * motion_.seenIn(sight_, p_mm));
   }
 
-  /// As many taps as the print and the edge's length allow: the window of a slanted row also runs along the
-  /// edge.
+  /// The largest number of taps that the print and the edge's length allow. The window of a slanted row also
+  /// runs along the edge.
   static std::optional<int> tapsFor(const Eigen::Vector2d& normal, double reach_px, double length_px) {
     const double across = normal.cwiseAbs().maxCoeff(), along = normal.cwiseAbs().minCoeff();
     int taps = std::min(kMostTaps, int(reach_px / across));
@@ -144,7 +143,7 @@ class LineSampler {
     edges_.lines.push_back(line);
   }
 
-  /// Visits every stride-th row (or column) that the edge crosses.
+  /// Visits every stride-th row (or column) that crosses the edge.
   void walk(int taps) {
     const bool is_by_row = std::abs(knots_[1].normal.x()) >= std::abs(knots_[1].normal.y());
     const int along = is_by_row ? 1 : 0, across = 1 - along;

@@ -38,10 +38,10 @@ struct FitState {
   double pitch_rad = 0.0, roll_rad = 0.0;
 };
 
-/// How edges are measured in one round.
+/// Method of measuring edges in one round.
 struct EdgeSampling {
-  int stride_px = 2;             // every n-th row or column that an edge crosses
-  bool is_outline_only = false;  // the square's four sides
+  int stride_px = 2;             // every n-th row or column that crosses an edge
+  bool is_outline_only = false;  // only the square's four sides
   int search_px = 0;  // > 0: finds the strongest step within this distance; 0: measures the exact place
   std::array<double, 2> blur_px{0.8, 0.8};  // of the edges, per image
 };
@@ -57,8 +57,9 @@ struct EdgeSample {
 /// An edge in one image. The derivative of its position along the normal is a quadratic function of t.
 struct EdgeLine {
   int image;
-  Eigen::Matrix<double, kFitParameters, 3> derivative;    // coefficients of 1, t, t^2
-  Eigen::Vector3d by_row_time = Eigen::Vector3d::Zero();  // by the image's row time, px/s; likewise
+  Eigen::Matrix<double, kFitParameters, 3> derivative;  // coefficients of 1, t, t^2
+  Eigen::Vector3d by_row_time =
+      Eigen::Vector3d::Zero();  // derivative by the image's row time, px/s, as coefficients of 1, t, t^2
   int tried = 0, found = 0;
 };
 
@@ -68,14 +69,14 @@ struct MarkerEdges {
   std::array<int, 2> tried{0, 0}, found{0, 0};
 };
 
-/// How the coil moves while a picture is read row by row.
+/// Motion of the coil while a picture is read row by row.
 struct CoilMotion {
   Vector6d velocity = Vector6d::Zero();  // (rad/s, mm/s), Camera, of the coil's origin
   bool isResting() const { return velocity.isZero(); }
 };
 
-/// The stereo frame that is measured. `right_T_left` and cameras as calibrated. The state's pose is that of
-/// the middle row; a camera with a row time sees the other rows as `motion` takes the coil there.
+/// The stereo frame that is measured, with `right_T_left` and cameras as calibrated. The state's pose is that
+/// of the middle row. A camera with a row time sees the other rows at the coil's pose moved by `motion`.
 struct EdgeView {
   const cameras::StereoRig& rig;
   const cameras::StereoFrame& frame;

@@ -9,10 +9,9 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// Priors of the fit. Those of pitch and roll are wide, because both are measured here ...
+// Priors of the fit. Those of pitch and roll are wide, because both are measured here.
 constexpr double kSizeSigma = 0.01, kShrinkSigma_px = 0.5, kTurnSigma_rad = 0.02;
-// ... and this is their error after a good calibration. Pitch is measured so well that its prior does not
-// matter.
+// Errors of pitch and roll after a good calibration. Pitch is measured so well that its prior has no effect.
 constexpr double kCalibratedPitch_rad = 5e-4, kCalibratedRoll_rad = 3.5e-4;
 constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in sigmas of an edge point
 constexpr int kFewestPoints = 12, kFewestSearched = 8;
@@ -59,7 +58,7 @@ void addPriors(const FitState& state, double scale, Normal& normal) {
   believe(kRoll, state.roll_rad, kTurnSigma_rad);
 }
 
-/// Of each line; `scale`: spread of the residuals in their sigmas.
+/// Sums of each line; `scale`: spread of the residuals in their sigmas.
 std::vector<Moments> momentsOf(const MarkerEdges& edges, double scale) {
   std::vector<Moments> moments(edges.lines.size());
   for (const EdgeSample& s : edges.samples) {
@@ -91,7 +90,7 @@ Normal normalEquations(const MarkerEdges& edges, const FitState& state, double s
   return normal;
 }
 
-/// `normal`: of the same edges. `variance`: of a residual of one sigma.
+/// `normal`: equations of the same edges. `variance`: of a residual of one sigma.
 RowTimeEquations rowTimeEquations(const MarkerEdges& edges, const Normal& normal, double scale,
                                   double variance) {
   const std::vector<Moments> moments = momentsOf(edges, scale);
@@ -194,7 +193,7 @@ MarkerFit summarise(const EdgeView& view, const MarkerEdges& edges, const FitSta
   const auto [bias_px, points_of_edge] = biasOfEdges(edges, kTukey * scale);
   const Normal normal = normalEquations(edges, state, scale);
   // Neighbouring points share the errors of lens, print and light at their edge. The spread of the edges'
-  // means measures them.
+  // means shows their size.
   const double mean_sigma_px = std::max(0.02, fit.rms_px);
   const double variance =
       std::max(scale * scale, points_of_edge * std::pow(scale * bias_px / mean_sigma_px, 2));
@@ -217,7 +216,7 @@ MarkerFit summarise(const EdgeView& view, const MarkerEdges& edges, const FitSta
   return fit;
 }
 
-/// One Gauss-Newton step from `edges`, measured at `state`; nothing when there are too few points or no
+/// One Gauss-Newton step from `edges`, measured at `state`. Returns nothing with too few points or no
 /// solution.
 std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const MarkerEdges& edges,
                                  int fewest_points, double least_scale, FitState& state) {
@@ -235,7 +234,7 @@ int workOf(const MarkerEdges& edges) {
          int(edges.lines.size()) / kLinesPerComparison;
 }
 
-/// Limits the points of large or many prints: more would cost time without improving the pose.
+/// Limits the points of large or many prints: more would take time without improving the pose.
 int strideFor(const MarkerEdges& edges_of_first) {
   const int points_at_1_px = kFirstStride_px * (edges_of_first.tried[0] + edges_of_first.tried[1]);
   return std::max(kFinestStride_px, (points_at_1_px + kMostPoints - 1) / kMostPoints);

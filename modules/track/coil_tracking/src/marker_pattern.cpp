@@ -16,9 +16,9 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr int kPattSamples = 16;              // ARToolKit's AR_PATT_SIZE
-constexpr double kLeastContrast_grey = 12.0;  // below it, noise looks like a pattern
+constexpr double kLeastContrast_grey = 12.0;  // noise of a lower contrast looks like a pattern
 constexpr double kLeastLikenessBinary = 0.75, kLeastLikenessGrey = 0.6;
-constexpr double kLeastTurnMargin = 0.08;  // a grey pattern must match better than its own rotations by this
+constexpr double kLeastTurnMargin = 0.08;  // least lead of a grey pattern's match over its own rotations
 
 cv::Mat_<float> dictionaryCells(const std::string& name, int id) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cameras::predefinedDictionary(name));
@@ -59,8 +59,8 @@ cv::Mat_<float> pattCells(const std::filesystem::path& path) {
   return cells;
 }
 
-/// The pattern's cell (row, column) under cell (y, x) of the quadrangle when its corner `turns` is the
-/// print's top left.
+/// The pattern's cell (row, column) under cell (y, x) of the quadrangle if its corner `turns` is the print's
+/// top left.
 float turned(const cv::Mat_<float>& cells, int y, int x, int turns) {
   const int last = cells.rows - 1;
   switch (turns & 3) {
@@ -76,11 +76,11 @@ float turned(const cv::Mat_<float>& cells, int y, int x, int turns) {
 }
 
 struct Cell {
-  double x, y, grey;  // of the centre, -.5..+.5
+  double x, y, grey;  // position of the centre, -.5..+.5
   int row, column;
 };
 
-/// Mean grey of the middle of each cell; empty when the quadrangle leaves the image.
+/// Mean grey of the middle of each cell; empty if the quadrangle leaves the image.
 std::vector<Cell> sampleCells(const cv::Mat& grey, const Quad& quad, int count) {
   for (const auto& corner : quad)
     if (!isInside(grey, corner.x(), corner.y())) return {};
@@ -106,7 +106,7 @@ std::vector<Cell> sampleCells(const cv::Mat& grey, const Quad& quad, int count) 
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Least squares of grey = (1, x, y) . black + t (1, x, y) . contrast.
+/// Least-squares fit of grey = (1, x, y) . black + t (1, x, y) . contrast.
 struct LightFit {
   Vector6 parameters = Vector6::Zero();
   double likeness = 0;
@@ -146,7 +146,7 @@ bool hasContrastEverywhere(const LightFit& fit) {
   return fit.contrast(0, 0) >= kLeastContrast_grey;
 }
 
-/// True when every cell lies on its own side of the threshold between black and white.
+/// True if every cell lies on its own side of the threshold between black and white.
 bool everyCellFits(const std::vector<Cell>& samples, const cv::Mat_<float>& cells, int turns,
                    const LightFit& fit) {
   return std::all_of(samples.begin(), samples.end(), [&](const Cell& cell) {
@@ -155,13 +155,13 @@ bool everyCellFits(const std::vector<Cell>& samples, const cv::Mat_<float>& cell
   });
 }
 
-/// Whether the cell is white; outside the square is white.
+/// True if the cell is white; outside the square is white.
 bool isWhite(const cv::Mat_<float>& cells, int row, int column) {
   if (row < 0 || column < 0 || row >= cells.rows || column >= cells.cols) return true;
   return cells(row, column) > 0.5f;
 }
 
-/// Number of equal cells from (row, column) in direction (dy, dx); white outside counts as one.
+/// Number of equal cells from (row, column) in direction (dy, dx). White outside is one cell.
 int reach(const cv::Mat_<float>& cells, int row, int column, int dy, int dx) {
   const bool white = isWhite(cells, row, column);
   int count = 0;
@@ -194,7 +194,7 @@ void addEdges(const cv::Mat_<float>& cells, bool is_horizontal, std::vector<Prin
         const double at = double(line) / n - 0.5, low = double(start) / n - 0.5, high = double(end) / n - 0.5;
         Eigen::Vector2d a(low, at),
             b(high,
-              at);  // horizontal: the second side is black, and it lies right of an edge from left to right
+              at);  // horizontal: the second side is black, to the right of an edge from left to right
         if (!is_horizontal) a = {at, low}, b = {at, high};
         const bool is_forward = is_horizontal ? first : second;
         if (!is_forward) std::swap(a, b);
@@ -211,7 +211,8 @@ MarkerPattern::MarkerPattern(cv::Mat_<float> cells, bool is_binary)
     : cells_(std::move(cells)), is_binary_(is_binary) {
   cv::Mat_<float> printed = cells_;
   if (!is_binary_)
-    printed = cv::Mat_<float>::zeros(4, 4);  // only the outline has known edges; the border is a quarter
+    printed = cv::Mat_<float>::zeros(
+        4, 4);  // only the outline has known edges; the border is a quarter of the side
   addEdges(printed, true, edges_);
   addEdges(printed, false, edges_);
   if (!is_binary_)

@@ -1,5 +1,5 @@
 #pragma once
-// MarkerPattern: what is printed in the black square, and whether a quadrangle of an image shows it (paper,
+// MarkerPattern: the print in the black square, and whether a quadrangle of an image shows it (paper,
 // section 5, step 4). ArUco dictionaries: a grid of black and white cells with a border of one black cell.
 // ARToolKit .patt: 16 x 16 grey values of the middle half of the square (the file's first block, three colour
 // planes B, G, R), border a quarter.
@@ -36,10 +36,11 @@ struct PatternMatch {
 
 class MarkerPattern {
  public:
-  /// Throws Error: unknown dictionary or id, .patt missing or not 4 x 3 x 16 x 16 numbers in 0..255.
+  /// Throws Error for an unknown dictionary or id, and for a .patt that is missing or not 4 x 3 x 16 x 16
+  /// numbers in 0..255.
   static MarkerPattern load(const MarkerModel& model);
 
-  /// The best of the four rotations, or nothing when the quadrangle does not show this pattern. `quad`:
+  /// The best of the four rotations. Returns nothing if the quadrangle does not show this pattern. `quad`:
   /// clockwise in the image.
   std::optional<PatternMatch> match(const cv::Mat& grey, const Quad& quad) const;
   const std::vector<PrintedEdge>& edges() const { return edges_; }

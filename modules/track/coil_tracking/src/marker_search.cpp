@@ -9,8 +9,8 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// The corners that a search finds are off by up to 1 px: 2 % in size. Beyond the upper limits it is another
-// object, or the pictures are exchanged.
+// Size limits relative to the calibration. Corners found by a search are off by up to 1 px: 2 % in size.
+// Beyond the upper limit it is another object, or the pictures are exchanged.
 constexpr double kOtherSize = 0.025, kMostOtherSize = 0.2;
 constexpr double kOtherRow_px = 3.0, kMostOtherRow_px = 40.0;
 

@@ -62,7 +62,7 @@ bool isPlausible(const Quad& quad, double least_side_px) {
   return shortest >= least_side_px && longest <= 6.0 * shortest;
 }
 
-/// Indices of the contour's four corners, clockwise; nothing when it does not have four.
+/// Indices of the contour's four corners, clockwise. Returns nothing if it does not have four.
 std::optional<std::array<int, 4>> fourCorners(const Outline& contour, double least_side_px) {
   Outline corners;
   cv::approxPolyDP(contour, corners, std::max(1.5, 0.025 * double(contour.size())), true);

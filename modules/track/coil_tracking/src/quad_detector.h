@@ -12,7 +12,7 @@ namespace facenav::coil_tracking {
 
 struct FoundQuads {
   std::vector<Quad> quads;  // clockwise in the image, corners to about 0.3 px
-  int points = 0;           // of the followed outlines: the measure of work
+  int points = 0;           // outline points followed in total, a measure of the work
 };
 
 FoundQuads findDarkQuads(const cv::Mat& grey, const Darkness& darkness = {}, double least_side_px = 6.0);

@@ -7,21 +7,20 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// Standard deviations of what is believed before anything is measured, as times of a whole picture. Ordinary
-// cameras read one in 5-33 ms, industrial ones in none. Two cameras of a pair are mostly of one kind.
+// Priors of a whole picture's read-out time, standard deviations: of its size, and of the difference between
+// the cameras. Ordinary cameras take 5-33 ms, industrial ones none. Two cameras of a pair are mostly of one
+// kind.
 constexpr double kUnknown_s = 20e-3, kUnlike_s = 1.5e-3;
-constexpr double kStated_s = 4e-3;  // a data sheet's readout may belong to another mode of the sensor
-// A measured picture time is used when it is this certain, and this many standard deviations from the stated.
-// These and kIndependent were chosen on the waved print of rolling_shutter_test and on the scenarios
-// fast_coil and unsynced with head 17, seed 61.
+constexpr double kStated_s = 4e-3;  // prior about the rig's value: it may be of another mode of the sensor
+// A measured read-out time replaces the rig's if its standard deviation is below kCertain_s (lower is safe),
+// and its difference from the rig's at least kDistinct standard deviations (higher is safe).
 constexpr double kCertain_s = 3e-3;
 constexpr double kDistinct = 3.0;
-// Weight of a frame in the next one. The first frames are fitted with a wrong row time, which falsifies the
-// coil's speed a little, and so what they show.
+// Factor on earlier frames in each new one. The first frames are fitted with a wrong row time, which
+// falsifies the coil's speed a little, and with it their observations.
 constexpr double kKept = 0.98;
-// What lens, print, blur and an error of the coil's speed do is alike in neighbouring frames: a frame counts
-// as this share of what its noise alone would allow. With 1, the error of a waved print
-// (rolling_shutter_test) is three to twenty times the stated one.
+// Share of a frame's information that is independent of its neighbours. Errors of lens, print, blur and coil
+// speed are alike in neighbouring frames. Lower is safe.
 constexpr double kIndependent = 0.1;
 
 }  // namespace
@@ -50,7 +49,8 @@ void RowTimeEstimate::applyTo(cameras::StereoRig& rig) const {
   const bool is_certain = sigma_s.maxCoeff() * rows_ < kCertain_s &&
                           mean.cwiseAbs().maxCoeff() * rows_ <= cameras::kLongestReadout_s &&
                           (off_s - kDistinct * sigma_s).maxCoeff() > 0.0;
-  // Both at once: between cameras with different times the same rows lie apart, which looks like depth.
+  // Both at once: with different row times in the two cameras the same rows lie apart, which looks like
+  // depth.
   const Eigen::Vector2d& used_s = is_certain ? mean : stated_s_;
   rig.left.row_time_s = used_s[0], rig.right.row_time_s = used_s[1];
 }

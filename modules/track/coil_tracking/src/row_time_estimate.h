@@ -1,7 +1,7 @@
 #pragma once
-// RowTimeEstimate: the row times of both cameras (rolling shutter), measured while the coil moves. Its print
-// is then sheared and stretched by the rows' delay, in proportion to its speed. Many frames with motion in
-// different directions tell the row time from what lens and print do.
+// RowTimeEstimate: the row times of both cameras (rolling shutter), measured while the coil moves. The delay
+// of the rows shears and stretches its print in proportion to its speed. Many frames with motion in different
+// directions separate the row time from errors of lens and print.
 
 #include <Eigen/Core>
 
@@ -12,18 +12,17 @@ namespace facenav::coil_tracking {
 
 class RowTimeEstimate {
  public:
-  /// Starts anew with the times that the rig states; 0: not known.
+  /// Resets to the row times of the rig; 0: unknown.
   void start(const cameras::StereoRig& rig);
   /// `assumed`: the row times of the rig that the frame was fitted with.
   void add(const RowTimeEquations& seen, const cameras::StereoRig& assumed);
-  /// Puts into `rig` the measured times where they are certain, else the stated ones.
+  /// Sets the row times of `rig` to the measured ones if they are certain, else to the rig's original ones.
   void applyTo(cameras::StereoRig& rig) const;
 
  private:
   int rows_ = 1;
-  Eigen::Vector2d stated_s_ = Eigen::Vector2d::Zero();  // left, right
-  // Normal equations of the times: what is believed at first, and what was seen, older frames with less
-  // weight.
+  Eigen::Vector2d stated_s_ = Eigen::Vector2d::Zero();  // of the rig: left, right
+  // Normal equations of the times: of the prior, and of the observations, older frames with less weight.
   Eigen::Matrix2d believed_ = Eigen::Matrix2d::Identity(), seen_ = Eigen::Matrix2d::Zero();  // 1/s^2
   Eigen::Vector2d seen_right_ = Eigen::Vector2d::Zero();                                     // 1/s
 };

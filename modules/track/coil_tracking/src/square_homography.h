@@ -11,7 +11,7 @@ namespace facenav::coil_tracking {
 
 class SquareHomography {
  public:
-  /// `quad`: where the corners (-.5,-.5), (.5,-.5), (.5,.5), (-.5,.5) of the print appear.
+  /// `quad`: image of the corners (-.5,-.5), (.5,-.5), (.5,.5), (-.5,.5) of the print.
   explicit SquareHomography(const std::array<Eigen::Vector2d, 4>& quad) {
     const Eigen::Vector2d s = quad[0] - quad[1] + quad[2] - quad[3];
     Eigen::Matrix2d d;
@@ -20,7 +20,7 @@ class SquareHomography {
     h_ << quad[1] - quad[0] + gh.x() * quad[1], quad[3] - quad[0] + gh.y() * quad[3], quad[0], gh.x(), gh.y(),
         1.0;
   }
-  /// A point of the print, -.5..+.5 inside the square, as a pixel.
+  /// Pixel of a point of the print, -.5..+.5 inside the square.
   Eigen::Vector2d operator()(double x, double y) const {
     const Eigen::Vector3d p = h_ * Eigen::Vector3d(x + 0.5, y + 0.5, 1.0);
     return p.hnormalized();
@@ -30,7 +30,7 @@ class SquareHomography {
   Eigen::Matrix3d h_;
 };
 
-/// True where bilinear interpolation at p needs only pixels of the image.
+/// True if bilinear interpolation at p needs only pixels of the image.
 inline bool isInside(const cv::Mat& grey, double x, double y) {
   return x >= 0 && y >= 0 && x < grey.cols - 1 && y < grey.rows - 1;
 }

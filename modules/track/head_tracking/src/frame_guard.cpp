@@ -7,14 +7,14 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kDarkest_grey = 6.0;   // mean below it: covered or switched off
-constexpr double kFlattest_grey = 2.5;  // standard deviation below it: no picture
-constexpr double kNoisyShare = 0.35;    // of pixels that change between images where the sensor's noise shows
-constexpr double kMoving_mm_s = 5.0;    // no head stops from this within one frame
+constexpr double kDarkest_grey = 6.0;   // mean; darker: covered or switched off
+constexpr double kFlattest_grey = 2.5;  // standard deviation; lower: no picture
+constexpr double kNoisyShare = 0.35;    // share of changed pixels from which on noise is visible
+constexpr double kMoving_mm_s = 5.0;    // a faster head does not stop within one frame
 constexpr std::size_t kHistory = 31, kLeastHistory = 2;
 constexpr int kRowStep = 3;
 
-constexpr int kBlock_px = 8, kBlockStep_px = 24;  // squares whose means tell a picture from noise
+constexpr int kBlock_px = 8, kBlockStep_px = 24;  // squares whose means distinguish a picture from noise
 
 bool isBlank(const cv::Mat& image) {
   double sum = 0, squares = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Which points of the cloud lie on bare skin, once the pose is roughly known. Hair, a mask, a hand and other
-// occlusions are left out of the fit as whole patches.
+// Covers: finds the points of the cloud on bare skin once the pose is roughly known. Hair, a mask, a hand and
+// other occlusions are left out of the fit as whole patches.
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -15,12 +15,12 @@ namespace facenav::registration {
 class Covers {
  public:
   Covers() = default;
-  /// Decides at a pose that is within 1 to 2 mm of the true one. `points`: 3 to 5 mm apart.
+  /// Decides at a pose within 1 to 2 mm of the true one. `points`: 3 to 5 mm apart.
   Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
          const Eigen::Isometry3d& mri_T_camera);
 
   bool hold(const Eigen::Vector3d& p_camera_mm) const;
-  /// Those of `points` that are not covered.
+  /// The `points` that are not covered.
   std::vector<int> bare(const PointCloud<Camera>& face, const std::vector<int>& points) const;
 
  private:

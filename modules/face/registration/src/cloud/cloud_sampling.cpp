@@ -55,7 +55,7 @@ std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>
     }
     if (chosen.size() <= most) return chosen;
     // The number of occupied cubes of a surface falls with the square of the cell. Points in a regular
-    // pattern occupy more cubes than this formula says.
+    // pattern occupy more cubes than this formula predicts.
     const double seen = double(visited) / double(of.size());
     const double growth = std::sqrt(seen * fillingAt(0.95 * double(most) / double(of.size())) /
                                     fillingAt(double(most) / double(visited)));

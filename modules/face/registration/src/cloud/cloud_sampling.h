@@ -1,5 +1,5 @@
 #pragma once
-// Thinning of the face cloud to an even density, so that near and well lit skin does not dominate.
+// Thins the face cloud to an even density, so that near and well lit skin does not dominate.
 
 #include <vector>
 
@@ -11,11 +11,11 @@ namespace facenav::registration {
 /// The cubes are enlarged until the number fits.
 std::vector<int> thinOut(const PointCloud<Camera>& cloud, double cell_mm, std::size_t most);
 
-/// The same, of the points with indices `of`.
+/// Thins the points with indices `of` in the same way.
 std::vector<int> thinOut(const PointCloud<Camera>& cloud, const std::vector<int>& of, double cell_mm,
                          std::size_t most);
 
-/// At most `most` of these, at equal steps of the list. Denser regions stay denser.
+/// At most `most` of the points, at equal steps of the list. Denser regions stay denser.
 std::vector<int> someOf(std::vector<int> points, std::size_t most);
 
 /// Indices of the points with finite coordinates within 100 m.

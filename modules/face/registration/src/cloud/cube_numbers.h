@@ -1,6 +1,6 @@
 #pragma once
-// Numbers the cubes of a grid in the order in which points first fall into them. Used to form patches of skin
-// and to thin clouds evenly.
+// CubeNumbers: numbers the cubes of a grid in the order in which points first fall into them. Used to form
+// patches of skin and to thin clouds evenly.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -16,7 +16,7 @@ class CubeNumbers {
   /// Number of the cube that contains the point; a new number for a new cube. Coordinates must be finite and
   /// within a million cubes.
   int of(const Eigen::Vector3f& p_mm);
-  /// The same without adding a cube; -1 for an unknown one.
+  /// Number of the cube that contains the point; -1 for a new cube, which is not added.
   int find(const Eigen::Vector3f& p_mm) const;
   int size() const { return size_; }
 

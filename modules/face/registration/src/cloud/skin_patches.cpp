@@ -42,7 +42,7 @@ SkinPatch average(const std::vector<PointMatch>& matches, const std::vector<int>
 }
 
 /// Standard error of the patch's mean. Its points count as independent values of one grain each. On slanted
-/// skin the matcher's window, which reaches over the edge, adds to it.
+/// skin the matcher's window, which extends beyond the edge, adds to it.
 double noiseOf(const SkinPatch& patch, double full, double size_mm, const Eigen::Vector3d& camera_mri_mm) {
   const double grains = std::max(1.0, std::min(1.5, patch.points / full) * size_mm * size_mm / kGrain_mm2);
   const double facing =

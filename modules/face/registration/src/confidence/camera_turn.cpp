@@ -10,31 +10,28 @@ namespace facenav::registration {
 namespace {
 
 constexpr int kMostFits = 7;
-constexpr double kLeftOver = 0.3;                       // standard errors
-constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate per true turn
-// What a scan's size and skin differ from the live head beyond the misfit model, as a turn. Fitted on dense
-// dots that the cameras resolve, in other light and with another expression than the scan or the face of the
-// first visit shows, painted heads 04 06 09 15 (`evaluate return`, seeds 61 and 62, nothing turned): the rms
-// of 13 estimates is 0.05 deg, the largest 0.11. At rest (seeds 42-51, own rigs) it was 0.02 and 0.043. The
-// virtual patient, whose MRI is a real one, gave 0.04 and 0.08 at rest, 0.11 and 0.17 with an expression.
+constexpr double kLeftOver = 0.3;                       // residual turn, in standard errors
+constexpr double kFirstSlope = 0.4, kLeastSlope = 0.2;  // estimate relative to the true turn
+// Standard deviation of the turn that differences of size and skin between scan and live head imitate, beyond
+// the misfit model, with dense dots. Larger widens the bound and detects fewer turns.
 constexpr double kScan_rad = 0.05 * kRadPerDeg;
-// Without dense dots (start.right->sigma_rad > 0). The points' own deviation is added there, and is larger
-// than what an expression does.
+// Standard deviation without dense dots (start.right->sigma_rad > 0), where the points' own deviation is
+// added.
 constexpr double kScanBesideDeviation_rad = 0.03 * kRadPerDeg;
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
-/// The mean of two measurements, each with its weight. Where they contradict each other, one of them is wrong
-/// (a print at another size, a scan at another scale). Then the one counts that says more surely that the
-/// camera turned: a mean could hide the turn.
+/// Weighted mean of two measurements. If they contradict each other, one of them is wrong (a print at another
+/// size, a scan at another scale), and a mean could hide a turn. Then the one that is more standard errors
+/// from zero is used.
 CameraTurn fused(const CameraTurn& a, const CameraTurn& b) {
-  constexpr double kContradiction = 3.0;  // standard errors
+  constexpr double kContradiction = 3.0;  // in standard errors
   if (std::abs(a.rad - b.rad) > kContradiction * std::hypot(a.sigma_rad, b.sigma_rad))
     return std::abs(a.rad) * b.sigma_rad > std::abs(b.rad) * a.sigma_rad ? a : b;
   const double of_a = 1.0 / (a.sigma_rad * a.sigma_rad), of_b = 1.0 / (b.sigma_rad * b.sigma_rad);
   return {(of_a * a.rad + of_b * b.rad) / (of_a + of_b), 1.0 / std::sqrt(of_a + of_b)};
 }
 
-/// The fit of the turned cloud, from a pose near it.
+/// Fits the turned cloud, from a pose near it.
 std::optional<FinalFit> fitTurned(const ScalpField& scalp, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, const Eigen::Isometry3d& near) {
   try {
@@ -69,7 +66,7 @@ PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& rig
 std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<Camera>& face,
                                       const AlignmentStart& start, const FinalFit& first) {
   if (!start.right || !first.posterior.turn) return std::nullopt;
-  CameraTurn left = *first.posterior.turn;  // what is left at `at_rad`
+  CameraTurn left = *first.posterior.turn;  // remaining turn at `at_rad`
   double at_rad = 0.0, slope = kFirstSlope;
   const Eigen::Vector3d middle_mm = middleOf(face);
   for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kLeftOver * left.sigma_rad; ++fits) {

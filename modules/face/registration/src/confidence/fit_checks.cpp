@@ -20,7 +20,7 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kFarFromMirrored = 30.0;  // log odds: then no closer comparison is needed
+constexpr double kFarFromMirrored = 30.0;  // log odds beyond which no closer comparison is needed
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
   constexpr float kSettled_mm = 0.02f;
@@ -42,7 +42,7 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
 
 bool isNoFit(const Closeness& c) {
   const FitLimits& limits = settingsOf<FitLimits>();
-  // With a wrong head, half of the face may be taken for a mask; the rest must then fit as closely as skin
+  // On a wrong head, half of the face may be taken for a mask; the rest must then fit as closely as skin
   // does.
   return (c.median_mm > limits.wrong_median_mm && c.best_third_mm > limits.wrong_third_mm) ||
          c.close_fraction < limits.least_close || c.bare_share < limits.least_bare ||
@@ -81,7 +81,7 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
 }
 
 /// Log likelihood ratio of the skin to its mirror image. The face is mirrored instead of the skin, which is
-/// equivalent. It is fitted as carefully as the face itself, from three turns near the pose.
+/// equivalent, and fitted as carefully as the face itself, from three turns near the pose.
 void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
                      const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
   const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
@@ -136,7 +136,7 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
 }
 
 /// The size of the live face relative to the scan at which it fits best, with its log likelihood ratio. A
-/// calibration with a scale error makes every face fit at another size.
+/// scale error of the calibration makes every face fit at another size.
 std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud<Camera>& face,
                                        const std::vector<int>& points,
                                        const Eigen::Isometry3d& mri_T_camera) {
@@ -156,7 +156,7 @@ std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud
   return best;
 }
 
-/// Difference of the scale from one in standard errors, including the scale error of scanners.
+/// Difference of the scale from one, in standard errors that include the scale error of scanners.
 double scaleZ(const FitEvidence& evidence) {
   if (!(evidence.scale_sigma > 0)) return 0.0;
   return std::abs(evidence.scale - 1.0) /

@@ -1,5 +1,5 @@
 #pragma once
-// When a fit is refused, and the message. A doubtful pose must never be returned.
+// Decides when a fit is refused, with which message. A doubtful pose must never be returned.
 
 #include "cloud/bare_skin.h"
 #include "facenav/core/error.h"
@@ -11,11 +11,11 @@ namespace facenav::registration {
 /// How closely a face lies on the skin at a pose.
 struct Closeness {
   std::size_t face_points = 0;  // on a 3 mm grid, with a counterpart that faces the camera, within 15 mm
-  double close_fraction = 0.0;  // share of these within 1.5 mm of the skin, where bare skin is expected
+  double close_fraction = 0.0;  // share of the points expected on bare skin within 1.5 mm of it
   double bare_share = 0.0;      // share of these outside covered patches
-  double bare_mm = 0.0;         // median |residual| of the bare ones
+  double bare_mm = 0.0;         // median |residual| of the bare points
   double median_mm = 0.0, best_third_mm = 0.0;  // quantiles of |residual| up to 6 mm, bare or not
-  double extent_mm = 0.0;  // four sigma of the close points across or up the face, the smaller
+  double extent_mm = 0.0;  // four sigma of the close points across or up the face, whichever is smaller
 };
 
 /// Observations that decide about the final fit.
@@ -25,15 +25,15 @@ struct FitEvidence {
   double misfit_mm = 0.0;           // size of the smooth misfit
   double mirror_log_odds = 0.0;     // log likelihood ratio of the skin to its mirror image
   bool does_mirror_fit = false;     // if the mirror image is likelier: it fits as closely as a right face
-  // Size of the live face over that of the scan: fitted together with the pose, with its standard error. And
-  // the factor at which a face that does not fit would fit (log odds 0: at none).
+  // Size of the live face over that of the scan, fitted together with the pose, with its standard error.
   double scale = 1.0, scale_sigma = 0.0;
-  std::optional<CameraTurn> turn;  // of the right camera, sideways
+  std::optional<CameraTurn> turn;  // sideways turn of the right camera
+  // Size at which a face that does not fit would fit; log odds 0: none.
   double fitting_scale = 1.0, scale_log_odds = 0.0;
   double rival_log_odds = 1e9;  // log likelihood ratio of the pose to the best other pose
 };
 
-/// The cameras no longer stand as calibrated: another pose would not help.
+/// Thrown if the cameras are no longer positioned as calibrated: another pose would not help.
 class CameraTurned : public Error {
  public:
   using Error::Error;
@@ -47,13 +47,13 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
 /// aligned: ...") naming the first reason.
 void requireLikeness(const FitEvidence& evidence);
 
-/// The same, and checks that the observations fix the pose well enough.
+/// Does requireLikeness(), and checks that the observations determine the pose well enough.
 void requireTrust(const FitEvidence& evidence);
 
-/// A large part of the face is occluded. What lies there is not skin, even where it happens to fit.
+/// True if a large part of the face is occluded. Points there are not skin, even where they happen to fit.
 bool isPartlyCovered(const FitEvidence& evidence);
 
-/// Findings that need attention but are no reason to refuse, in plain words.
+/// Findings for users that need attention but are no reason to refuse.
 std::vector<std::string> cautionsOf(const FitEvidence& evidence);
 
 }  // namespace facenav::registration

@@ -16,8 +16,7 @@ namespace facenav::registration {
 namespace {
 
 constexpr double kModelPatch_mm = 12.0;
-constexpr double kLeastCovered =
-    0.65;  // patches with more points off the skin lie at the edge of hair or coil
+constexpr double kLeastCovered = 0.65;  // patches with a lower share lie at the edge of hair or coil
 
 std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter& fitter,
                                       const Eigen::Isometry3d& pose, double limit_mm) {
@@ -32,8 +31,8 @@ std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter
   return patches;
 }
 
-/// From increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at the
-/// image of Mri's origin. There the rotation changes sign, and the shift is that of the origin.
+/// Converts increments of mri_T_camera about the pivot in Mri to left increments of camera_T_mri in Camera at
+/// the image of Mri's origin. The rotation changes sign, and the shift is that of the origin.
 Matrix6d intoCamera(const Eigen::Vector3d& pivot_mri_mm, const Eigen::Matrix3d& camera_R_mri) {
   Matrix6d carry = Matrix6d::Zero();
   carry.topLeftCorner<3, 3>() = -camera_R_mri;
@@ -59,9 +58,10 @@ double worstInBrain_mm(const AlignmentResult& result, const Eigen::Vector3d& mid
   return worst;
 }
 
-/// A face that differs in size from the scan's by more than two standard errors shows a size error of scan or
-/// calibration. The pose fits at the face, so the error in the brain is that share of the distance between
-/// face and brain. Modelled as a shift, since only points in the brain matter.
+/// Covariance of the pose due to a size error of scan or calibration. A face whose size differs from the
+/// scan's by more than two standard errors shows such an error. The pose fits at the face, so the error in
+/// the brain is that share of the distance between face and brain. Modelled as a shift, since only points in
+/// the brain matter.
 Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_mm,
                 const Eigen::Vector3d& middle, const Eigen::Matrix3d& camera_R_mri) {
   const double beyond = std::max(0.0, std::abs(posterior.scale) - 2 * posterior.scale_sigma);
@@ -71,11 +71,10 @@ Matrix6d bySize(const PosePosterior& posterior, const Eigen::Vector3d& face_mri_
   return covariance;
 }
 
-/// Share of the face's distance by which a camera that turned sideways after the calibration may have moved
-/// it, where the turn itself is not estimated: such a turn leaves every match on its epipolar line, and shows
-/// only in the face's size. The size is fitted robustly and shows less than there is. Fitted on painted heads
-/// 03 04 06 08 09 11 13 14 15, turns of 0.05 to 0.2 deg, dense dots: with this factor 79 of 80 errors lie
-/// within the 95 % bound.
+/// Shift of the face by a camera that turned sideways, as a share of its distance, relative to the measured
+/// size error. Used if the turn is not estimated: the matches stay on their epipolar lines, and only the
+/// face's size shows the turn. Above 1, since the robust fit underestimates the size. Larger widens the
+/// bound.
 constexpr double kDistancePerSize = 1.3;
 
 Vector6d headByTurn(const PosePosterior& posterior, const RigidTransform<Camera, Mri>& camera_T_mri,
@@ -85,14 +84,14 @@ Vector6d headByTurn(const PosePosterior& posterior, const RigidTransform<Camera,
     motion.tail<3>() = kDistancePerSize * posterior.scale * face_camera_mm;
     return motion;
   }
-  // The pose is corrected by -error. At the image of Mri's origin; then about Camera's.
+  // The pose is corrected by -error, first at the image of Mri's origin, then about Camera's.
   motion = -std::hypot(posterior.turn->rad, posterior.turn->sigma_rad) *
            (intoCamera(pivot_mri_mm, camera_T_mri.rotation()) * posterior.error_by_turn);
   motion.tail<3>() -= motion.head<3>().cross(camera_T_mri.translation_mm());
   return motion;
 }
 
-/// Nothing where chance explains the turn, or where little depends on it.
+/// Caution about a turned camera. Returns nothing if chance explains the turn, or if its effect is small.
 std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior, const Vector6d& head_by_turn,
                                                const Eigen::Vector3d& face_camera_mm) {
   constexpr double kSaid_mm = 2.0;

@@ -24,7 +24,7 @@ struct ModeSizes {
 
 /// The patches as one linear model: residual = misfit + design * error. Columns: six of the pose, the offset,
 /// the scale along each axis (modes of the misfit), the residual itself, and a turn of the right camera (zero
-/// where that is not asked for).
+/// if it is not estimated).
 struct LinearModel {
   static constexpr int kPose = 6, kOffset = 6, kScale = 7, kResidual = 10, kTurn = 11, kColumns = 12;
   Eigen::Matrix<double, Eigen::Dynamic, kColumns> columns;
@@ -36,8 +36,7 @@ struct LinearModel {
 constexpr double kLever_mm = 100.0;
 constexpr double kTurn_rad = 0.1 * kRadPerDeg;  // one unit of the turn's column
 constexpr double kPatch_mm = 12.0;
-// Fewer patches determine the shape too poorly: of 21 faces, the bound on one varied between 1.6 and 2.7 mm
-// with the third of the patches that was used.
+// Number of patches and of shapes in the estimate of the field. Fewer patches determine the shape too poorly.
 constexpr std::size_t kShapePatches = 150, kMostShapes = 6;
 
 LinearModel linearModel(const std::vector<SkinPatch>& patches, const anatomy::FaceRegions& regions,
@@ -91,7 +90,7 @@ Whitened whiten(const LinearModel& model, const MatrixXd& field_covariance) {
 }
 
 /// Generalised least squares of `unknowns` among the columns; `modes` are random with the given sigmas
-/// (Woodbury). Gives the estimate, its covariance, and the logarithm of the restricted likelihood.
+/// (Woodbury). Returns the estimate, its covariance, and the logarithm of the restricted likelihood.
 struct Estimate {
   VectorXd value;
   MatrixXd covariance;
@@ -151,10 +150,10 @@ std::pair<double, double> estimateTurn(const Whitened& white, const ModeSizes& s
 struct Plausible {
   FieldShape shape;
   std::vector<ModeSizes> modes;  // log_weight: of shape and sizes together; 0 for the best
-  double log_weight;             // of its best sizes
+  double log_weight;             // log weight of the best sizes
 };
 
-/// Shapes and sizes that agree with the residuals, with posterior weights; those below 2 % of the best are
+/// Shapes and sizes that agree with the residuals, with posterior weights. Those below 2 % of the best are
 /// left out.
 std::vector<Plausible> plausibleShapes(const LinearModel& model, const MisfitPrior& prior) {
   constexpr double kStep = 0.55, kLeast = -4.0;
@@ -207,8 +206,8 @@ MatrixXd misfitCovariance(const LinearModel& model, const FieldShape& shape, con
   return k;
 }
 
-/// Cross-validated residuals (Rasmussen and Williams 2006, equation 5.12). Patches that neighbours and pose
-/// do not explain get more noise.
+/// Adds noise to patches that neighbours and pose do not explain, by cross-validated residuals (Rasmussen and
+/// Williams 2006, equation 5.12).
 void dropOutliers(LinearModel& model, const Plausible& likeliest) {
   const Eigen::LLT<MatrixXd> factor(misfitCovariance(model, likeliest.shape, likeliest.modes.front()));
   const auto n = model.columns.rows();
@@ -263,7 +262,7 @@ Matrix6d covarianceUnder(const std::vector<Plausible>& shapes, const LinearModel
   return sum;
 }
 
-/// Mean over the plausible shapes and sizes, and what remains uncertain within and between them.
+/// Weighted mean over the plausible shapes and sizes, with the variance within and between them.
 CameraTurn turnUnder(const std::vector<Plausible>& shapes, const LinearModel& model, double tails) {
   double total = 0, mean = 0, squares = 0;
   for (const auto& [shape, modes, log_weight] : shapes) {
@@ -279,7 +278,7 @@ CameraTurn turnUnder(const std::vector<Plausible>& shapes, const LinearModel& mo
   return {kTurn_rad * mean, kTurn_rad * std::sqrt(std::max(0.0, squares / total - mean * mean))};
 }
 
-/// Of the estimate, by the cloud's error along the lines of sight.
+/// Covariance of the estimate due to the cloud's error along the lines of sight.
 Matrix6d covarianceBySight(const std::vector<SkinPatch>& patches, const LinearModel& model,
                            const MatrixXd& estimator, const SeenFrom& seen) {
   if (!(seen.error.sigma_mm > 0)) return Matrix6d::Zero();

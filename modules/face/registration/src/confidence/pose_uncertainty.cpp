@@ -80,7 +80,7 @@ Vector6d motionByTurn(const TurnableCamera& right, const std::vector<Eigen::Vect
 
 namespace {
 
-/// Where a motion (left increment) takes the point.
+/// Displacement of the point by a motion (left increment).
 Eigen::Vector3d shiftOf(const Vector6d& motion, const Eigen::Vector3d& p_mm) {
   return motion.head<3>().cross(p_mm) + motion.tail<3>();
 }

@@ -12,9 +12,9 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kFar_mm = 15.0;  // background, clothes: not part of the face
+constexpr double kFar_mm = 15.0;  // farther points are background or clothes
 constexpr int kLeastPoints = 50;
-constexpr double kCovered_mm = 2.0;  // hair stands off by this and more, skin hardly ever
+constexpr double kCovered_mm = 2.0;  // hair lies off the skin by this and more, skin hardly ever
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<RegionFit> fitByRegion(const ScalpField& scalp, const PointCloud<Cam
                                    const AlignmentResult& alignment) {
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   const Eigen::Isometry3d mri_T_camera = alignment.camera_T_mri.isometry().inverse();
-  std::map<std::string, std::pair<std::vector<double>, int>> found;  // residuals; number not used in the fit
+  std::map<std::string, std::pair<std::vector<double>, int>> found;  // residuals; number not in the fit
   for (std::size_t p = 0; p < face.size() && p < alignment.residual_mm.size(); ++p) {
     if (!(std::abs(alignment.residual_mm[p]) < kFar_mm)) continue;
     auto& [residuals_mm, foreign] = found[regions.nameOf(mri_T_camera * face.points_mm[p])];

@@ -7,15 +7,15 @@
 
 namespace facenav::registration::point {
 
-constexpr int kBlock = 128;                // points measured side by side; a multiple of 8
+constexpr int kBlock = 128;                // number of points processed together; a multiple of 8
 constexpr float kGrazing_cos = 0.12f;      // skin at a flatter angle to the view has no counterpart
-constexpr float kNormalsAgree_cos = 0.3f;  // cloud normals are noisy: only large disagreement counts
-constexpr float kNoSkin_mm = 1e5f;         // larger distances and NaN: no counterpart
+constexpr float kNormalsAgree_cos = 0.3f;  // cloud normals are noisy: only large disagreement excludes
+constexpr float kNoSkin_mm = 1e5f;         // larger distances and NaN have no counterpart
 
 /// The cloud, one array per coordinate, Camera mm. The length is a whole number of blocks, padded with NaN.
 struct Points {
   const float* at_mm[3] = {nullptr, nullptr, nullptr};
-  const float* normal[3] = {nullptr, nullptr, nullptr};  // null: none
+  const float* normal[3] = {nullptr, nullptr, nullptr};  // may be null
   const float* weight = nullptr;                         // null: all 1
 };
 
@@ -26,7 +26,7 @@ struct View {
 
 struct Block {
   int count = 0;
-  float at_mm[3][kBlock], normal[3][kBlock], residual_mm[kBlock];  // Mri
+  float at_mm[3][kBlock], normal[3][kBlock], residual_mm[kBlock];  // in Mri
   float is_valid[kBlock];                                          // 1 or 0
 };
 
@@ -52,7 +52,7 @@ struct Kernel {
 
 const Kernel& baseKernel();
 const Kernel& avx2Kernel();
-/// The fastest version that this processor can run.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::registration::point

@@ -33,7 +33,7 @@ inline Vector turned(const View& view, const Vector& p) {
   return {row(0), row(1), row(2)};
 }
 
-/// Is 0 <= v < limit? False for NaN.
+/// True if 0 <= v < limit; false for NaN.
 inline __m256 within(__m256 v, float limit) {
   return _mm256_and_ps(_mm256_cmp_ps(v, _mm256_setzero_ps(), _CMP_GE_OQ),
                        _mm256_cmp_ps(v, splat(limit), _CMP_LT_OQ));
@@ -216,8 +216,8 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
     const int i = 8 * w;
     const __m256 is_valid =
         _mm256_cmp_ps(_mm256_loadu_ps(block.is_valid + i), _mm256_setzero_ps(), _CMP_GT_OQ);
-    // Without a counterpart, residual and normal are NaN. They are set to zero, since NaN times weight zero
-    // is NaN.
+    // Residual and normal are NaN if there is no counterpart. They are set to zero, since NaN times zero is
+    // NaN.
     const auto valid = [&](const float* values) {
       return _mm256_and_ps(_mm256_loadu_ps(values + i), is_valid);
     };

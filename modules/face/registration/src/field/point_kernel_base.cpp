@@ -71,8 +71,8 @@ Sums sum(const Block& block, const Points& points, int first, const Loss& loss) 
   const float outside = 1.0f / loss.outside_mm, inside = 1.0f / loss.inside_mm;
   Column row[7], weight;
   for (int i = 0; i < block.count; ++i) {
-    // Without a counterpart, residual and normal may be NaN. They are set to zero, since NaN times weight
-    // zero is NaN.
+    // Residual and normal may be NaN if there is no counterpart. They are set to zero, since NaN times zero
+    // is NaN.
     const bool is_valid = block.is_valid[i] > 0;
     const float residual = is_valid ? block.residual_mm[i] : 0.0f;
     const float u = residual * (residual > 0 ? outside : inside), v = std::max(0.0f, 1.0f - u * u);

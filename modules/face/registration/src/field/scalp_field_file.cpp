@@ -11,7 +11,7 @@
 namespace facenav::registration {
 namespace {
 
-constexpr char kMagic[] = "FaceNav scalp field 1\n";  // a new number whenever the grids change
+constexpr char kMagic[] = "FaceNav scalp field 1\n";  // change the number with every change of the grids
 
 /// A 64-bit digest by words (Murmur's mixing). It detects another skin or a damaged file; it is not
 /// cryptographic.
@@ -144,7 +144,7 @@ std::shared_ptr<const ScalpField> ScalpField::read(const SkinModel& skin, const 
   std::shared_ptr<ScalpField> field(new ScalpField(skin, Unfilled{}));
   try {
     if (field->fillFrom(readWholeFile(path))) return field;
-  } catch (const Error&) {  // unreadable counts as missing
+  } catch (const Error&) {  // an unreadable file is treated as missing
   }
   return {};
 }

@@ -1,8 +1,8 @@
 #pragma once
-// Robust point-to-plane fit of the face cloud to the scalp's distance field by Gauss-Newton on SE(3) (Chen
-// and Medioni 1992; on a distance field: Fitzgibbon 2003). In the coarse stages the loss is one-sided: points
-// outside the skin (hair, clothes, a hand) lose their weight earlier than points inside, which no camera can
-// see. State: mri_T_camera.
+// FieldFitter: robust point-to-plane fit of the face cloud to the scalp's distance field by Gauss-Newton on
+// SE(3) (Chen and Medioni 1992; on a distance field: Fitzgibbon 2003). In the coarse stages the loss is
+// one-sided: points outside the skin (hair, clothes, a hand) lose their weight earlier than points inside,
+// which no camera can see. State: mri_T_camera.
 
 #include <limits>
 #include <vector>
@@ -16,8 +16,8 @@ namespace facenav::registration {
 struct FitStage {
   float inside_mm, outside_mm;  // larger residuals have no weight
   int iterations;
-  bool is_fine;              // the fine grid, or the coarse one
-  float settled_mm = 5e-4f;  // last step: shift below this, and arc at a radius of 100 mm below this
+  bool is_fine;              // fine or coarse grid
+  float settled_mm = 5e-4f;  // convergence: limit of the last shift, and of the arc at a radius of 100 mm
 };
 
 /// A point of the cloud compared with the skin.
@@ -32,7 +32,7 @@ class FieldFitter {
   FieldFitter(const ScalpField& scalp, const PointCloud<Camera>& cloud, const std::vector<int>& points);
 
   std::size_t size() const { return count_; }
-  /// One per point, 0..1, or empty.
+  /// One weight per point, 0..1, or empty.
   void setWeights(std::vector<float> weights);
 
   Eigen::Isometry3d fit(Eigen::Isometry3d mri_T_camera, const FitStage& stage) const;
@@ -50,9 +50,9 @@ class FieldFitter {
   void measure(const Eigen::Isometry3d& mri_T_camera, bool is_fine, Visitor&& visit) const;
 
   const ScalpField& scalp_;
-  std::vector<float> points_[3], normals_[3];  // x, y, z; whole blocks
+  std::vector<float> points_[3], normals_[3];  // x, y, z in whole blocks
   std::vector<float> weights_;
-  Eigen::Vector3f pivot_;  // increments rotate about the head's middle
+  Eigen::Vector3f pivot_;  // the head's middle, centre of rotation of the increments
   std::size_t count_;
 };
 
@@ -66,7 +66,7 @@ inline float tukeyWeight(float residual, float limit) {
 Eigen::Isometry3d increment(const Vector6d& xi, const Eigen::Vector3d& pivot_mm,
                             const Eigen::Isometry3d& pose);
 
-/// Do the two poses differ by more than `rotation_rad`, or by more than `distance_mm` at `pivot_mri_mm`?
+/// True if the poses differ by more than `rotation_rad`, or by more than `distance_mm` at `pivot_mri_mm`.
 bool areDistinct(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const Eigen::Vector3d& pivot_mri_mm,
                  double rotation_rad, double distance_mm);
 

@@ -1,7 +1,8 @@
 // The paper's alignment: ICP with point-to-point pairs (equation 1; Besl and McKay 1992), trimmed
-// (Chetverikov 2002). It deviates from the paper where it would fail otherwise. Pairs at the scan's cut edge
-// or beyond it are dropped. The farthest pairs are trimmed: untrimmed, a cloud that reaches below the scan's
-// end turns the head by 12-27 degrees. It starts from the rough poses of the search, not from a click.
+// (Chetverikov 2002). It deviates from the paper in three points, without which it fails. Pairs at the scan's
+// cut edge or beyond it are dropped. The farthest pairs are trimmed: untrimmed, a cloud that extends below
+// the scan's end turns the head by 12-27 degrees. It starts from the rough poses of the search, not from a
+// click.
 
 #include <algorithm>
 #include <numeric>

@@ -20,7 +20,7 @@ constexpr Part kParts[] = {{0, 1, 0, 1},   {0, 1, 0, 0.8}, {0, 1, 0, 0.6},      
 constexpr double kNearby_rad = 0.045, kNearby_mm = 2.5;
 constexpr float kSettled_mm = 0.02f;  // a fifth of the best pose's standard error
 constexpr double kSamePart_rad = 0.002, kSamePart_mm = 0.2;
-constexpr double kMet = 0.2;       // share of kSamePart_*: two fits to one place end within it
+constexpr double kMet = 0.2;       // share of kSamePart_*; fits to one place end within it
 constexpr double kRuledOut = 8.0;  // difference of log likelihoods
 constexpr std::size_t kCores = 2;
 
@@ -37,7 +37,7 @@ class Extent {
     std::sort(x_.begin(), x_.end());
     std::sort(z_.begin(), z_.end());
   }
-  /// Those of `points`, in the order of the matches, that belong to the part.
+  /// Indices among `points`, in the order of the matches, that belong to the part.
   std::vector<int> members(const Part& part, const std::vector<int>& points) const {
     std::vector<int> out;
     if (x_.empty()) return out;
@@ -55,8 +55,8 @@ class Extent {
   std::vector<float> x_, z_;
 };
 
-/// Fits poses with all points until they settle. Of poses that meet on the way only one is fitted further. Of
-/// poses that end at the same place only one is judged.
+/// Fits poses with all points until they settle. Only one of several poses that meet on the way is fitted
+/// further, and only one of those that end at the same place is judged.
 class Followed {
  public:
   using Poses = std::vector<Eigen::Isometry3d>;

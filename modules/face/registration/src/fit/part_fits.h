@@ -1,7 +1,7 @@
 #pragma once
 // Fits that leave parts of the face out. Hair, a hand, a coil or a mask lifts one region as a whole; a robust
 // loss over all points then settles between face and hair (5 mm off on scans that end at mid-nose). Each part
-// is fitted alone, then all points closely from the pose found. The likeliest poses win.
+// is fitted alone, then all points closely from the pose found. The likeliest poses are kept.
 
 #include "field_fit.h"
 
@@ -12,8 +12,8 @@ struct PartFit {
   double log_likelihood = 0.0;
 };
 
-/// Poses reached from `mri_T_camera` (off by up to about 8 mm), the likeliest first. The others are those
-/// that the face does not rule out. `points`: of the head.
+/// Poses found from `mri_T_camera` (off by up to about 8 mm), the likeliest first. The others are those that
+/// the face does not exclude. `points`: of the head.
 std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>& face,
                               const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera);
 

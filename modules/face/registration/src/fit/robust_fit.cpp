@@ -12,13 +12,12 @@
 namespace facenav::registration {
 namespace {
 
-constexpr float kOutside = 0.67f;  // occlusions lie outside the skin: a tighter limit there
-// More points add nothing, since neighbours share their error. (6 000 instead of 10 000: the same errors on
-// five heads.)
+constexpr float kOutside = 0.67f;  // tighter limit outside the skin, where occlusions lie
+// Number of points looked at, and fitted. More do not improve the fit, since neighbours share their error.
 constexpr std::size_t kLooked = 7000, kMostPoints = 6000;
 constexpr std::size_t kMostEven = 10000;
 constexpr double kHairPatch_mm = 10.0;
-// The likelihood assumes more independence between patches than there is; this divides log likelihoods.
+// Divisor of log likelihoods, since the likelihood assumes more independence between patches than there is.
 constexpr double kTemper = 2.0;
 constexpr double kLeastWeight = 0.02;  // a pose less probable than this is outside a 95 % bound
 constexpr double kSame_rad = 0.005, kSame_mm = 0.5;
@@ -63,7 +62,7 @@ double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
 
 namespace {
 
-/// Fits closer with new weights, from within 1 to 2 mm.
+/// Fits again with new weights, from within 1 to 2 mm.
 void closeIn(FieldFitter& fitter, Eigen::Isometry3d& mri_T_camera, float& limit_mm) {
   const auto matches = fitter.match(mri_T_camera);
   fitter.setWeights(patchWeights(matches, 4.0));
@@ -71,8 +70,8 @@ void closeIn(FieldFitter& fitter, Eigen::Isometry3d& mri_T_camera, float& limit_
   mri_T_camera = fitter.fit(mri_T_camera, {limit_mm, kOutside * limit_mm, 3, true});
 }
 
-/// Spread of the poses in `others` that stay distinct when all points are fitted from there, weighted by
-/// their likelihood.
+/// Spread of the poses in `others` that stay distinct after a fit of all points, weighted by their
+/// likelihood.
 Matrix6d doubtOf(const std::vector<PartFit>& others, const Eigen::Isometry3d& mri_T_camera,
                  FieldFitter& fitter, const Eigen::Vector3d& middle) {
   std::vector<Eigen::Isometry3d> seen{mri_T_camera};

@@ -1,5 +1,5 @@
 #pragma once
-// The robust fit: from a start, known or searched for, to the pose that most of the face fits closely. The
+// RobustFit: from a start, known or searched for, to the pose at which most of the face fits closely. The
 // misfit model then corrects and judges it.
 
 #include "cloud/bare_skin.h"
@@ -11,10 +11,10 @@ namespace facenav::registration {
 struct RobustFit {
   Eigen::Isometry3d mri_T_camera;
   double limit_mm = 1.5;         // larger residuals are not skin
-  std::vector<int> points = {};  // indices of some points near the head and bare, as dense as measured
+  std::vector<int> points = {};  // indices of bare points near the head, as dense as measured
   Covers covers;
   // Mean square difference (turn rad, shift mm), about the scalp's middle, to the other poses that parts of
-  // the face lead to and that the face does not rule out. Zero when all parts agree.
+  // the face lead to and that the face does not exclude. Zero if all parts agree.
   Matrix6d doubt = Matrix6d::Zero();
 };
 
@@ -26,8 +26,8 @@ RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
 /// modelled from them.
 std::vector<int> evenPoints(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& fit);
 
-/// Fit from the guess or the hints, without a search. Empty where there are none or they do not lead to the
-/// face.
+/// Fits from the guess or the hints, without a search. Returns nothing without them, or if they do not lead
+/// to the face.
 std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<Camera>& face,
                                       const AlignmentStart& start);
 
@@ -35,7 +35,7 @@ std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<
 double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm);
 
 /// Weights 0..1 of points by the residual of the patch of skin around them. Hair, a collar or swollen skin
-/// lifts whole patches; noise does not. Residuals beyond `reach_mm` do not count.
+/// lifts whole patches; noise does not. Residuals beyond `reach_mm` are ignored.
 std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm);
 
 }  // namespace facenav::registration

@@ -11,21 +11,21 @@
 namespace facenav::registration {
 namespace {
 
-// Possible sizes of the misfit: log-normal about 0.35 mm, one sigma is a factor of e^0.8. Possible sizes of
-// detail: of the skin (noise of the cloud, the scan's voxels, stubble) and of covers (cloth, hair).
+// Possible sizes of the misfit: log-normal with median 0.35 mm, one sigma is a factor of e^0.8. Possible
+// sizes of detail: of the skin (noise of the cloud, the scan's voxels, stubble) and of covers (cloth, hair).
 constexpr std::array<double, 5> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6}, kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06};
 constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.25, 0.35, 0.3, 0.1};
 constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
-// Independent values of detail in a fully visible patch. The matcher's window leaves some 20; correlation
-// between neighbouring patches is not modelled, so fewer are counted.
+// Number of independent values of detail in a fully visible patch. The matcher's window leaves some 20; a
+// lower number accounts for the unmodelled correlation between neighbouring patches.
 constexpr double kGrains = 5.0;
-constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // reach of hair; reach of hands and coils
-constexpr double kBehind = 0.15, kBehind_mm = 3.0;       // behind the skin: only eyes and gross errors
+constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // reach of hair; of hands and coils
+constexpr double kBehind = 0.15, kBehind_mm = 3.0;       // behind the skin lie only eyes and gross errors
 constexpr double kNowhere_per_mm = 0.03;  // density without a counterpart: nearly no information
 constexpr double kLeastOutside = 0.3;
 constexpr double kGross = 0.05, kGross_per_mm = 0.05;  // outliers within a patch
-// Log odds: cost of each pair of neighbours with different labels, and prior of a cover where skin is usually
-// bare. A mask over half a face costs 8 in all.
+// Log odds: cost of each pair of neighbours with different labels, and prior of a cover over mostly bare
+// skin. A mask over half a face costs 8 in total.
 constexpr double kRim = 0.3, kBare = -0.15, kHairy = 0.06;
 
 double skinDensity(double residual_mm, double sigma_mm) {
@@ -49,7 +49,7 @@ double logSum(const double* values, std::size_t count) {
   return most + std::log(sum);
 }
 
-// Log odds beyond 10 (1 in 20 thousand) count as certain. This saves the exponential and the entropy.
+// Log odds beyond 10 (1 in 20 thousand) are treated as certain, which saves the exponential and the entropy.
 constexpr double kCertain = 10.0;
 
 double logistic(double log_odds) {
@@ -78,7 +78,7 @@ class LogDetail {
           ((1 - kGross) * skinDensity(double(i) / double(per_mm_), detail_mm) + kGross * kGross_per_mm) /
           kNowhere_per_mm));
   }
-  /// Mean over the residuals.
+  /// Mean log density over the residuals.
   double operator()(const std::vector<float>& residuals_mm, float middle_mm) const {
     float sum = 0;
     for (const float r : residuals_mm) {
@@ -91,7 +91,7 @@ class LogDetail {
 
  private:
   static constexpr int kSteps = 240;
-  static constexpr double kMost = 6.0;  // sigma
+  static constexpr double kMost = 6.0;  // range of the table, in sigma
   float per_mm_;
   std::array<float, kSteps + 2> values_;
 };
@@ -155,7 +155,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     const Eigen::Vector3d at = sums[i].cast<double>() / n;
     const double foreign = regions_.foreignShare(at);
     if (foreign > kHairy) patch.prior = std::max(kBare, std::log(foreign / (1 - foreign)));
-    // Hair is one connected object. Where it is probable, patches count for less than their number of points.
+    // Hair is one connected object. If hair is probable, patches count as fewer independent points.
     const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
     const float m_mm = selectRank(residuals[i], residuals[i].size() / 2);
     const double m = double(m_mm);
@@ -233,7 +233,7 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
     double change = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
       const double alone = patches[i].covered - bareOf(patches[i]) + patches[i].prior;
-      // Neighbours cannot outweigh more than this.
+      // Neighbours cannot outweigh log odds beyond this.
       const bool is_certain = std::abs(alone) > kCertain + kRim * double(neighbours_[i].size());
       const double covered = logistic(is_certain ? alone : alone + pull(labels.covered, i));
       change = std::max(change, std::abs(covered - labels.covered[i]));
@@ -254,7 +254,7 @@ SkinLikelihood::Labels SkinLikelihood::unlabelled(const std::vector<Patch>& patc
   return label(blank, 0, std::vector<double>(blank.size(), 0.0));
 }
 
-/// Upper bound of the evidence for this detail: each patch takes its best label and all neighbours agree.
+/// Upper bound of the evidence for this detail: each patch takes its best label, and all neighbours agree.
 double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const {
   double most = -1e300, agreement = 0;
   for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());

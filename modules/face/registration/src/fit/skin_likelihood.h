@@ -17,8 +17,8 @@ namespace facenav::registration {
 
 class SkinLikelihood {
  public:
-  /// `points`: indices in the cloud; matches come in their order. The mean offsets of patches of `patch_mm`
-  /// count as independent, since misfit is correlated over that distance.
+  /// `points`: indices in the cloud, in the order of the matches. The mean offsets of patches of `patch_mm`
+  /// are treated as independent, since misfit is correlated over that distance.
   SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                  double patch_mm = 25.0);
 
@@ -44,9 +44,9 @@ class SkinLikelihood {
   double pull(const std::vector<double>& covered, std::size_t patch) const;
 
   anatomy::FaceRegions regions_;
-  double full_ = 0.0;                         // points of a fully visible patch
+  double full_ = 0.0;                         // number of points in a fully visible patch
   std::vector<int> patch_of_;                 // patch of each point
-  std::vector<std::vector<int>> neighbours_;  // of each patch
+  std::vector<std::vector<int>> neighbours_;  // neighbours of each patch
 };
 
 }  // namespace facenav::registration

@@ -20,7 +20,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
   try {
     fit = correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, start);
   } catch (const Error&) {
-    requireLikeness(gathering.get());  // if the face is another person's, report that as the reason
+    requireLikeness(gathering.get());  // another person's face is reported as such
     throw;
   }
   fit->posterior.covariance += robust.doubt;
@@ -37,7 +37,7 @@ AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, 
                   monitor);
 }
 
-/// Error shared by the whole cloud (too near or too far), which no residual shows.
+/// Adds the error shared by the whole cloud (too near or too far), which the residuals do not show.
 void addSharedDepth(AlignmentResult& result, const PointCloud<Camera>& face, double sigma_mm) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t p = 0; p < face.size(); ++p)
@@ -71,7 +71,7 @@ class SurfaceAligner : public Aligner {
       // The guess was poor: search around it.
     }
     // Hints may mislead and the first search is quick, so a refusal leads to a wider search. The error of the
-    // first search is thrown: it is about the best pose, while wider searches end in worse poses.
+    // first search is thrown: it refers to the best pose, while wider searches end in worse poses.
     std::optional<Error> reason;
     for (const auto& [width, most] :
          {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})

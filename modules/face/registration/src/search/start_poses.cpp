@@ -67,7 +67,7 @@ std::vector<Eigen::Matrix3d> orientationsAround(const Eigen::Matrix3d& base, dou
 }
 
 Eigen::Vector3d foremostSkin(const ScalpField& scalp, const Eigen::Vector3d& towards_camera) {
-  // Mean of the most advanced hundredth: a single vertex could be an outlier.
+  // Mean of the most advanced hundredth, since a single vertex could be an outlier.
   const auto& vertices = scalp.skin().points.points_mm;
   std::vector<std::pair<double, int>> advance;
   const std::size_t stride = std::max<std::size_t>(1, vertices.size() / 3000);
@@ -89,7 +89,7 @@ Eigen::Isometry3d placed(const Eigen::Matrix3d& camera_R_mri, const Eigen::Vecto
 }
 
 bool seesTheFace(const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& middle_mri_mm) {
-  constexpr double kLeastAnterior = 0.17;  // cosine: up to 80 degrees from straight ahead
+  constexpr double kLeastAnterior = 0.17;  // cosine; up to 80 degrees from straight ahead
   return (mri_T_camera.translation() - middle_mri_mm).normalized().y() > kLeastAnterior;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Orientations and positions to try when nothing is known: the geometry of the search, without the cloud.
+// Orientations and positions to try without prior knowledge: the geometry of the search, without the cloud.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace facenav::registration {
 /// camera_R_mri with the hinted up and right directions; empty without hints.
 std::optional<Eigen::Matrix3d> hintedOrientation(const AlignmentStart& start);
 
-/// camera_R_mri of patients who look at the camera, any roll; `is_fine`: in smaller steps.
+/// camera_R_mri of patients who face the camera, at any roll; `is_fine`: in smaller steps.
 std::vector<Eigen::Matrix3d> facingOrientations(bool is_fine);
 
 /// `camera_R_mri` turned by up to `reach_deg` about the head's three axes; the unchanged one comes first.
@@ -25,7 +25,7 @@ Eigen::Vector3d foremostSkin(const ScalpField& scalp, const Eigen::Vector3d& tow
 Eigen::Isometry3d placed(const Eigen::Matrix3d& camera_R_mri, const Eigen::Vector3d& p_mri_mm,
                          const Eigen::Vector3d& p_camera_mm);
 
-/// The camera stands in front of the face, not behind the head.
+/// True if the camera is in front of the face, not behind the head.
 bool seesTheFace(const Eigen::Isometry3d& mri_T_camera, const Eigen::Vector3d& middle_mri_mm);
 
 }  // namespace facenav::registration

@@ -33,8 +33,8 @@ Seeds seedsOf(const PointCloud<Camera>& face, const std::vector<int>& sparse) {
   return seeds;
 }
 
-/// How well the skin explains the cloud, summed over points: 1 for a point on the skin, 0 for one far
-/// outside, down to -0.3 for one deep inside (necks bend).
+/// Sum over points of how well the skin explains them: 1 for a point on the skin, 0 for one far outside, down
+/// to -0.3 for one deep inside (necks bend).
 float gain(const ScalpField& scalp, const std::vector<Eigen::Vector3f>& points_mm,
            const Eigen::Isometry3d& mri_T_camera) {
   constexpr float kReach_mm = 22.f;
@@ -48,7 +48,7 @@ float gain(const ScalpField& scalp, const std::vector<Eigen::Vector3f>& points_m
   return sum;
 }
 
-/// Places the skin's foremost point at each seed; keeps the best `most` that lie apart.
+/// Places the skin's foremost point at each seed; keeps the best `most` that are distinct.
 void addPlacements(const ScalpField& scalp, const Seeds& seeds, const Eigen::Matrix3d& camera_R_mri,
                    std::size_t most, std::vector<Candidate>& out) {
   const double apart_mm = 100.0 / double(most);
@@ -121,7 +121,7 @@ std::vector<int> sparsePoints(const PointCloud<Camera>& face) {
   return thinOut(face, someOf(finitePoints(face), kMostLooked), 5.0, 4000);
 }
 
-/// Does most of the cloud lie on the skin, by a coarse measure?
+/// True if most of the cloud lies on the skin, by a coarse measure.
 bool isExplained(const ScalpField& scalp, const FieldFitter& fitter, const Eigen::Isometry3d& mri_T_camera) {
   constexpr double kReach_mm = 4.0, kUnexplained = 0.4;
   return seesTheFace(mri_T_camera, scalp.middle_mm()) &&

@@ -1,7 +1,7 @@
 #pragma once
-// Where to start the fit when nothing was clicked. Orientations: "the face looks at the camera" with any
-// roll, or around the guess, or with the roll of the hints. Positions: where the cloud is dense. Each is
-// fitted coarsely on the field; the best distinct ones are kept.
+// Finds start poses for the fit without a click. Orientations: facing the camera with any roll,
+// or around the guess, or with the roll of the hints. Positions: where the cloud is dense. Each is fitted
+// coarsely on the field; the best distinct ones are kept.
 
 #include <vector>
 
@@ -17,24 +17,24 @@ struct Candidate {
 };
 
 enum class SearchWidth {
-  near,      // around the guess or the hints; the same as `any` where there are none
+  near,      // around the guess or the hints; `any` without them
   any,       // any roll
-  thorough,  // smaller turns, more positions: after a failed first search
+  thorough,  // smaller turns and more positions, after a failed first search
 };
 
 /// Up to `most` candidates, at least one, that differ by more than 6 degrees or 12 mm, refined to a few mm,
-/// best first. Throws Error("not aligned: ...") when nothing in the cloud resembles this head seen from the
+/// best first. Throws Error("not aligned: ...") if nothing in the cloud resembles this head seen from the
 /// front.
 std::vector<Candidate> findStarts(const ScalpField& scalp, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, SearchWidth width, std::size_t most,
                                   TaskMonitor& monitor);
 
-/// The guess, or the pose that the hints give, fitted from far to near without a search. Empty without
-/// either, or where it does not lead to the face.
+/// Fits the guess, or the pose of the hints, from far to near without a search. Returns nothing without
+/// either, or if it does not lead to the face.
 std::optional<Candidate> descend(const ScalpField& scalp, const PointCloud<Camera>& face,
                                  const AlignmentStart& start);
 
-/// Those of the `points` within `reach_mm` of the skin at this pose, without robust weights.
+/// The `points` within `reach_mm` of the skin at this pose, without robust weights.
 std::vector<int> nearHead(const ScalpField& scalp, const PointCloud<Camera>& face,
                           const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
                           double reach_mm);

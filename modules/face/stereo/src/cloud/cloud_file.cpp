@@ -18,7 +18,7 @@ std::string headerOf(std::size_t points) {
   return text + "property float sigma_mm\nproperty ushort frames\nend_header\n";
 }
 
-/// Blue, green, red.
+/// The pixel's colour: blue, green, red.
 cv::Vec3b colourAt(const cv::Mat& left, const Eigen::Vector2f& px) {
   const int column = std::clamp(int(std::lround(px.x())), 0, left.cols - 1);
   const int row = std::clamp(int(std::lround(px.y())), 0, left.rows - 1);

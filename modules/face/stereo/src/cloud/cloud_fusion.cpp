@@ -9,17 +9,18 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr double kLeastFacing = 0.25;  // cosine: steeper skin is not carried along its plane
-constexpr double kFarthest_mm = 2.0;   // that a point is moved along its plane to its pixel's ray
+constexpr double kLeastFacing = 0.25;  // cosine; a steeper point is not moved along its plane
+constexpr double kFarthest_mm = 2.0;   // largest move of a point along its plane to its pixel's ray
 constexpr double kGate = 3.0;          // standard deviations from the median
-constexpr double kPriorFrames = 2.0;   // weight of the measured deviation as a prior of the spread
+constexpr double kPriorFrames = 2.0;  // weight of the predicted deviation as a prior of the spread, in frames
 
 struct Distance {
   double mm, sigma_mm;
   int frames;
 };
 
-// From observations as pairs of distance and deviation; `shared_mm` is part of each deviation.
+// Mean and deviation of the pixel from pairs of distance and deviation; `shared_mm` is part of each
+// deviation.
 Distance meanOf(const std::vector<std::pair<double, double>>& seen, double shared_mm) {
   if (seen.size() == 1) return {seen[0].first, seen[0].second, 1};
   std::vector<double> distances, sigmas;
@@ -86,7 +87,7 @@ FusedCloud CloudFusion::fused() const {
     if (cell.observations.empty()) continue;
     std::vector<std::pair<double, double>> seen;
     for (const Observation& s : cell.observations) seen.emplace_back(s.distance_mm, s.sigma_mm);
-    const double first_mm = seen.front().first;  // distance, and nearly depth
+    const double first_mm = seen.front().first;  // distance, which is nearly the depth
     const double shared_mm = shared_px_ * first_mm * first_mm / (rig_.left.k(0, 0) * rig_.baseline_mm());
     const Distance distance = meanOf(seen, shared_mm);
     const Eigen::Vector2d px(double(i % std::size_t(rig_.width_px)), double(i / std::size_t(rig_.width_px)));

@@ -12,22 +12,23 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kRadius_px = 5;
-constexpr int kHalfWidth_px[kRadius_px + 1] = {5, 4, 4, 4, 3, 0};  // of the disk's rows
+constexpr int kHalfWidth_px[kRadius_px + 1] = {5, 4, 4, 4, 3, 0};  // half widths of the disk's rows
 constexpr int kFewest = 20;                                        // disparities in the disk
-constexpr float kSameSurface_px = 1.0f;                            // plus the slope's share
+constexpr float kSameSurface_px = 1.0f;                            // plus the slope's share of the difference
 
 struct DisparityPlane {
-  double d, a, b;  // at the pixel, along x, along y
+  double d, a, b;  // disparity at the pixel, slopes along x and y
 };
 
-// Least squares over the disk, in sums: n, u, v, uu, uv, vv on the left, the disparities' own on the right.
+// Least squares over the disk from sums: n, u, v, uu, uv, vv on the left, those with the disparity on the
+// right.
 bool fitPlane(const cv::Mat& disparity, int x0, int y0, DisparityPlane& plane) {
   float n = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0, sd = 0, sud = 0, svd = 0;
   const float centre = disparity.at<float>(y0, x0);
   for (int v = std::max(-kRadius_px, -y0); v <= std::min(kRadius_px, disparity.rows - 1 - y0); ++v) {
     const float* row = disparity.ptr<float>(y0 + v) + x0;
     const int reach = kHalfWidth_px[std::abs(v)];
-    float m = 0, mu = 0, muu = 0, md = 0, mud = 0;  // of this row
+    float m = 0, mu = 0, muu = 0, md = 0, mud = 0;  // sums of this row
     for (int u = std::max(-reach, -x0); u <= std::min(reach, disparity.cols - 1 - x0); ++u) {
       const float difference = row[u] - centre;
       const bool is_same = std::abs(difference) < kSameSurface_px + 0.5f * float(std::abs(u) + std::abs(v));

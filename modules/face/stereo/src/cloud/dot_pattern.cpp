@@ -5,8 +5,8 @@
 namespace facenav::stereo {
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood 2014): the same dots on every platform, which std::uniform_int_distribution
-// is not.
+// SplitMix64 (Steele, Lea, Flood 2014) gives the same dots on every platform; std::uniform_int_distribution
+// does not.
 std::uint64_t nextRandom(std::uint64_t& state) {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15u);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;

@@ -14,7 +14,7 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kHalf_px = 7, kLeastStep_px = 6, kMostWindows = 400;  // their median is sharp enough
+constexpr int kHalf_px = 7, kLeastStep_px = 6, kMostWindows = 400;  // the median of so many is exact enough
 constexpr std::size_t kFewestDifferences = 30;
 
 // Grey level between the pixels of a row (cubic convolution), 1 <= x < columns - 2.
@@ -24,15 +24,15 @@ inline double betweenPixels(const float* row, double x) {
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-// Sums of one step of least squares: unknowns row shift, disparity, gain and offset.
+// Sums of one least-squares step; unknowns: row shift, disparity, gain and offset.
 struct RowFit {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
-  double squares = 0;  // of the left grey values
+  double squares = 0;  // sum of squares of the left grey values
 };
 
-// Whether the window fixes its row shift. The gradient across the rows that the other unknowns do not explain
-// must exceed that of noise: for independent noise in both images it is half the residual at most
+// True if the window determines its row shift. The gradient across the rows that the other unknowns do not
+// explain must exceed that of noise, which is at most half the residual for independent noise in both images
 // (differences of rows: variance 1/2 of an image's, residuals: 2). Without texture the least squares would
 // return 0, which is no measurement.
 bool fixesRowShift(const RowFit& fit, const Eigen::Vector4d& solution) {
@@ -46,8 +46,8 @@ bool fixesRowShift(const RowFit& fit, const Eigen::Vector4d& solution) {
   return gradient > std::max(kLeastGradient_grey, kNoiseGradient * residual);
 }
 
-// Two steps of least squares for the row shift of the right window at its matched place. Empty where the
-// window does not fix it.
+// Two least-squares steps for the row shift of the right window at its matched place. Returns nothing if the
+// window does not determine it.
 std::optional<double> rowDifference(const RectifiedPair& pair, const Rectification& r, int x, int y,
                                     float disparity, float slope_x, float slope_y) {
   double shift = 0, along = 0;
@@ -110,7 +110,7 @@ double bestRowShift(const cameras::StereoRig& rig, const cameras::StereoFrame& f
   const auto matched = [&](int rows) {
     const cv::Mat by = (cv::Mat_<double>(2, 3) << 1, 0, 0, 0, 1, rows);
     RectifiedPair shifted = pair;
-    shifted.right.release();  // not in place: the buffer is shared
+    shifted.right.release();  // not in place, because the buffer is shared
     cv::warpAffine(pair.right, shifted.right, by, pair.right.size(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
     return matchedBlocks(rectification, shifted);
   };

@@ -1,5 +1,5 @@
 #pragma once
-// Checks the calibration: in a rectified pair matching points lie in the same row, unless the cameras have
+// Checks the calibration. In a rectified pair matching points lie in the same row, unless the cameras have
 // moved.
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace facenav::stereo {
 
-/// Median over the best-textured matches of |row difference|, px; nothing with fewer than 30 such matches.
+/// Median |row difference| of the best-textured matches, px; empty with fewer than 30 of them.
 std::optional<double> epipolarMedian(const Rectification& rectification, const RectifiedPair& pair,
                                      const DisparityMap& map);
 
-/// For a pair with almost no matches: the row shift of the right image, in whole rows, that gives the most
-/// matches. 0 where no shift helps (no texture at all, or another scene).
+/// The row shift of the right image, in whole rows, that gives the most matches. Used for a pair with almost
+/// no matches. 0 if no shift helps (no texture, or another scene).
 double bestRowShift(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                     const FaceCloudOptions& options);
 

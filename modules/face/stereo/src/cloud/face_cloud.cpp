@@ -15,11 +15,9 @@ namespace facenav::stereo {
 namespace {
 
 constexpr std::size_t kFewestPoints = 500;
-constexpr double kSuspicious_px =
-    0.12;                          // row disagreement of a pair that fits its calibration: 0.02 .. 0.05 px
-constexpr double kMoved_px = 0.6;  // no calibration is that bad: the cameras have moved
-constexpr double kBlack_grey =
-    6.0;  // brightest percent of an image below this: no light, lens cap, dead camera
+constexpr double kSuspicious_px = 0.12;  // row disagreement; 0.02 .. 0.05 px fit the calibration
+constexpr double kMoved_px = 0.6;        // no calibration is that bad: the cameras have moved
+constexpr double kBlack_grey = 6.0;      // least level of the brightest percent; below: no light
 
 double brightLevel(const cv::Mat& image) {
   int histogram[256] = {};
@@ -67,11 +65,11 @@ FaceCloud toCloud(const Rectification& rectification, const DisparityMap& map, c
   return face;
 }
 
-// Plain skin shows too little for a search block by block. Its surface is found over the whole picture, to
-// about a pixel.
+// Finds the surface of plain skin over the whole picture, to about a pixel. Plain skin has too little texture
+// for a search block by block.
 PointCloud<Camera> roughSurface(const Rectification& rectification, const RectifiedPair& pair) {
   MatchOptions whole;
-  whole.largest_sigma_px = 2.0;  // holes filled, too
+  whole.largest_sigma_px = 2.0;  // also keeps filled holes
   const cv::Mat disparity = makeDenseMatcher("sgm")->match(rectification, pair, whole).disparity_px;
   PointCloud<Camera> rough;
   for (int y = 0; y < disparity.rows; ++y)
@@ -106,11 +104,11 @@ FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame&
   return face;
 }
 
-// Where too few matched to tell, no disagreement.
+// Row disagreement; 0 if too few matched.
 double rowError_px(const FaceCloud& face) { return face.epipolar_median_px.value_or(0.0); }
 
-// Swapped images of a converging pair match in places, at plausible depths, and turn a face inside out. Their
-// rows disagree a little. Exchanged back, the images match far better.
+// Refuses exchanged images. Those of a converging pair match in places, at plausible depths, and turn the
+// face inside out. Their rows disagree a little; exchanged back, the images match far better.
 void refuseSwapped(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                    const FaceCloudOptions& options, const FaceCloud& face, TaskMonitor& monitor) {
   cameras::StereoFrame swapped = frame;

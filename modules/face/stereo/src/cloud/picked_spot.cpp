@@ -12,22 +12,21 @@ namespace facenav::stereo {
 namespace {
 
 constexpr double kNearestPlace_mm = 150, kFarthestPlace_mm = 2000, kPlaceStep_mm = 4;
-constexpr double kPlaceMargin_mm = 25;  // of depth, beyond the places that are possible
-constexpr int kSpotMargin_px = 64;      // around the spot: the matcher needs some surface
-constexpr double kAtSpot_px = 2.0;      // points that far from the pixel count for it
+constexpr double kPlaceMargin_mm = 25;  // depth searched beyond the possible places
+constexpr int kSpotMargin_px = 64;      // pixels around the spot that the matcher needs
+constexpr double kAtSpot_px = 2.0;      // points within this distance of the pixel are used
 constexpr std::size_t kFewestAtSpot = 5;
-constexpr double kJump_mm = 4.0;       // between these points: the edge of a finger, of the nose
-constexpr double kLeastFacing = 0.45;  // cosine, to either camera; oblique skin is measured poorly
+constexpr double kJump_mm = 4.0;       // depth step between these points: the edge of a finger, of the nose
+constexpr double kLeastFacing = 0.45;  // cosine to either camera; oblique skin is measured poorly
 
-// The measured depth must be where the spot looks alike in both pictures, and no other depth may look nearly
-// so. Chosen on two of the five moments of the real face in ../shared/data (1, 418), with kUnseenError;
-// judged on the other three, of the same person (picked_spot_test.cpp).
+// Limits of the correlation at the measured depth, and of its lead over every other depth. Raising them is
+// safe.
 constexpr double kLeastLikeness = 0.8, kLeastLead = 0.03;
 constexpr double kSameDepth_px = 2.0, kOtherDepth_px = 4.0, kFarthestDepth_px = 25.0, kDepthStep_px = 0.5;
-/// Real error of a single spot of plain skin in parts of the standard error that the matcher states.
+/// Real error of one spot of plain skin, relative to the matcher's predicted deviation.
 constexpr double kUnseenError = 1.7;
 
-/// A camera of the pair, with its picture.
+/// One camera of the pair with its picture.
 struct View {
   const cameras::CameraModel& camera;
   const cv::Mat& grey;
@@ -40,7 +39,7 @@ struct SurfaceAtPixel {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
 
-/// The nearest stretch of places on the line of sight that are possible.
+/// The nearest range of possible places on the line of sight.
 std::vector<Point<Camera>> possiblePlaces(const Eigen::Isometry3d& left_T_view, const Eigen::Vector3d& ray,
                                           const std::function<bool(const Point<Camera>&)>& mayLie) {
   std::vector<Point<Camera>> places;
@@ -70,7 +69,7 @@ FaceCloudOptions optionsFor(const cameras::StereoRig& rig, const std::vector<Poi
   return options;
 }
 
-/// Nothing where it is not measured, oblique, or jumps.
+/// The surface at the pixel. Returns nothing if it is not measured there, is oblique, or jumps.
 std::optional<SurfaceAtPixel> surfaceAt(const FaceCloud& measured, const View& seen,
                                         const Eigen::Vector2d& px, const Eigen::Vector3d& right_eye_mm) {
   SurfaceAtPixel surface;
@@ -92,7 +91,7 @@ std::optional<SurfaceAtPixel> surfaceAt(const FaceCloud& measured, const View& s
   return surface;
 }
 
-/// How alike a flat piece of skin around the pixel looks in both pictures, were it at a depth.
+/// Similarity of a flat piece of skin around the pixel in both pictures, at an assumed depth.
 class Likeness {
  public:
   /// `normal`: of the piece, in the frame of the camera `seen`.
@@ -126,11 +125,11 @@ class Likeness {
  private:
   View other_;
   Eigen::Isometry3d other_T_seen_;
-  std::vector<Eigen::Vector3d> piece_;  // at depth 1 of the pixel's line of sight
+  std::vector<Eigen::Vector3d> piece_;  // at depth 1 on the pixel's line of sight
   cv::Mat grey_;
 };
 
-/// The spot looks alike there, and at no other depth nearly so.
+/// True if the spot looks alike at this depth, and clearly less so at every other.
 bool isOnlyDepth(const Likeness& likeness, double depth_mm, double mm_per_px) {
   const double here = likeness.at(depth_mm);
   if (here < kLeastLikeness) return false;

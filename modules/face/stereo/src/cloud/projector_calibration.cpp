@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kMostEpipolar_px = 1.0, kSameCode_px = 1.5;
 constexpr std::size_t kFewestPlaces = 200, kMostPlaces = 6000;
-constexpr double kFlat = 0.02;  // least extent against the largest: a plane does not determine a projector
+constexpr double kFlat =
+    0.02;  // least extent relative to the largest: a plane does not determine a projector
 constexpr double kOutlierSigmas = 4.0, kLeastOutlier_px = 0.5;
 constexpr int kRounds = 4;
 
-/// The right picture by code: one pixel for each projector pixel that was decoded there.
+/// Index of the right picture by code: one pixel for each projector pixel decoded in it.
 class CodeIndex {
  public:
   explicit CodeIndex(const cv::Mat& place) : place_(place) {
@@ -30,7 +31,7 @@ class CodeIndex {
         if (const cv::Vec2f code = place.at<cv::Vec2f>(y, x); !std::isnan(code[0]))
           pixels_.emplace(key(int(std::lround(code[0])), int(std::lround(code[1]))), cv::Point(x, y));
   }
-  /// Pixel of the picture where the code is `wanted`, between its pixels.
+  /// Place of the code `wanted` in the picture, interpolated between pixels.
   std::optional<Eigen::Vector2d> find(const cv::Vec2f& wanted) const {
     const auto near = nearest(wanted);
     if (!near) return std::nullopt;
@@ -38,7 +39,7 @@ class CodeIndex {
     const cv::Vec2f here = at(0, 0), along = 0.5F * (at(1, 0) - at(-1, 0)),
                     down = 0.5F * (at(0, 1) - at(0, -1));
     const float determinant = along[0] * down[1] - along[1] * down[0];
-    if (!(std::abs(determinant) > 1e-3F)) return std::nullopt;  // NaN of a neighbour too
+    if (!(std::abs(determinant) > 1e-3F)) return std::nullopt;  // also true for a NaN neighbour
     const cv::Vec2f miss = wanted - here;
     const float dx = (miss[0] * down[1] - miss[1] * down[0]) / determinant,
                 dy = (along[0] * miss[1] - along[1] * miss[0]) / determinant;
@@ -106,7 +107,7 @@ Matrix34d linearProjection(const std::vector<LitPlace>& places) {
 struct FittedLens {
   cv::Mat k, distortion;
   cv::Vec3d turn, shift;
-  std::vector<double> errors_px;  // of all places
+  std::vector<double> errors_px;  // errors of all places
 };
 
 double pixelError(const FittedLens& lens, const LitPlace& place) {

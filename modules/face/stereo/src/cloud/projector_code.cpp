@@ -24,7 +24,7 @@ int bitsFor(int length_px, const ProjectorCode& code) {
   return bits;
 }
 
-/// A picture whose value depends on one coordinate.
+/// Makes a picture whose value depends on one coordinate.
 template <class Value>
 cv::Mat striped(const ProjectorCode& code, bool is_across, Value value) {
   cv::Mat picture(code.height_px, code.width_px, CV_8U);
@@ -59,7 +59,7 @@ PlaceInPeriod phaseAt(const cv::Mat* phases, int y, int x, int period_px) {
   return {turn * float(period_px) - 0.5F, 0.5F * std::hypot(a, b)};
 }
 
-/// One coordinate; NaN where the bits contradict the phase.
+/// Decodes one coordinate; NaN if the bits contradict the phase.
 float coordinateAt(const cv::Mat* pictures, int bits, const ProjectorCode& code, float middle_grey, int y,
                    int x, float& sine_grey) {
   int index = 0, last = 0;
@@ -115,7 +115,7 @@ DecodedCode decode(const std::vector<cv::Mat>& pictures, const ProjectorCode& co
       if (white - black < kLeastContrast_grey) continue;
       contrasts.push_back(white - black);
       saturated += white >= kSaturated_grey;
-      if (white >= kSaturated_grey) continue;  // its cosine is cut off
+      if (white >= kSaturated_grey) continue;  // the cosine is cut off there
       const float middle = 0.5F * (white + black);
       float x_sine = 0, y_sine = 0;
       const float px = coordinateAt(across, x_bits, code, middle, y, x, x_sine),

@@ -2,13 +2,13 @@
 // The "field" matcher's inner loops, compiled twice (facenav/core/simd.h). All loops run along rows of plain
 // arrays, so that the compiler can turn them into SIMD.
 //
-// Disparities live on nodes, one for each 2 x 2 pixels (node i stands at pixel 2 i + 0.5). One Gauss-Newton
+// Disparities are stored at nodes, one for each 2 x 2 pixels (node i lies at pixel 2 i + 0.5). One
+// Gauss-Newton
 // step over the whole image: warp the right row by the interpolated field, form the ten products of
 //   left = offset + gain * right_warped + slope * gradient
 // at each pixel, add them up over 2 x 2 pixels, smooth those sums with a Gaussian (the window), and solve
-// the 3 unknowns at each node: d += -slope / gain. A window costs no more than
-// smoothing. The field itself is the surface's shape inside each window, so slopes and curvature need no
-// unknowns.
+// the 3 unknowns at each node: d += -slope / gain. A window costs no more than smoothing. The field itself is
+// the surface's shape inside each window, so slopes and curvature need no unknowns.
 
 #include <cstdint>
 
@@ -17,20 +17,21 @@
 namespace facenav::stereo::field {
 
 constexpr int kChannels = 10;      // products summed over the window
-constexpr int kLargestRadius = 8;  // of the window, in nodes
-constexpr float kJump_px = 2.5f;   // nodes farther apart are different surfaces: not interpolated between
+constexpr int kLargestRadius = 8;  // radius of the window, in nodes
+constexpr float kJump_px =
+    2.5f;  // nodes that differ by more belong to different surfaces and are not interpolated
 
 struct Nodes {  // planes of one stride, rows x columns
   int columns, rows, stride;
 };
 
 struct Window {
-  int radius;                         // in nodes
+  int radius;                         // radius in nodes
   float weights[kLargestRadius + 1];  // from the middle outwards; the sum over both sides is 1
-  float independent;                  // pixels that a window averages over: 1 / sum of squared weights
+  float independent;                  // number of independent pixels in a window: 1 / sum of squared weights
 };
 
-struct Step {  // what one Gauss-Newton step finds, planes like the field
+struct Step {  // result of one Gauss-Newton step, in planes like the field
   float *change, *sigma, *correlation;
 };
 
@@ -50,7 +51,7 @@ inline std::int64_t scratchSize(int columns) {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::field

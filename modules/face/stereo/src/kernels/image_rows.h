@@ -1,12 +1,12 @@
 #pragma once
-// The rectified pair as the "field" matcher's kernels read it: raw pointers only (facenav/core/simd.h says
-// why).
+// The rectified pair in the form that the "field" matcher's kernels read: raw pointers only (see
+// facenav/core/simd.h).
 
 #include <cstdint>
 
 namespace facenav::stereo {
 
-constexpr float kMiddle_grey = 128.0f;  // taken off, so that sums of squares stay small
+constexpr float kMiddle_grey = 128.0f;  // subtracted, so that sums of squares stay small
 
 struct ImageRows {
   const float* left;              // grey levels

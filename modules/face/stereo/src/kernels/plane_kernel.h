@@ -17,7 +17,7 @@
 namespace facenav::stereo::planes {
 
 constexpr int kBlock = 4;
-constexpr int kLargestRadius = 3;  // of the window, in blocks
+constexpr int kLargestRadius = 3;  // radius of the window, in blocks
 constexpr int kSplineRadius = 6;
 constexpr int kMoments = 10;     // sums of the plane fit: h, hu, huu, hv, huv, hvv, y, yu, yv, ee
 constexpr int kPhotometric = 6;  // 1, right, left, right^2, left right, left^2
@@ -33,7 +33,7 @@ struct Field {
 };
 
 struct Window {
-  int radius;                         // in blocks
+  int radius;                         // radius in blocks
   float weights[kLargestRadius + 1];  // from the middle outwards; 1 in the middle
   float noise_factor;                 // sum of squared weights divided by the sum of weights
 };
@@ -61,12 +61,12 @@ struct Kernel {
                   const float* disparity, const Output&);
   /// Symmetric filter of a row, kSplineRadius elements readable beyond both ends, kMiddle_grey subtracted.
   void (*spline_row)(const float* row, const float* weights, int width, float* out);
-  bool needs_one_strip = false;  // the back end does all rows at once
+  bool needs_one_strip = false;  // true if all rows must be done at once
 };
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest version that this processor can run.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::planes

@@ -1,14 +1,14 @@
 #pragma once
-// Images resampled by quintic B-splines (Unser 1999; poles from his table): cubic convolution
-// blurs dots one or two pixels wide too much to match them. Compiled twice (facenav/core/simd.h).
+// Resamples images by quintic B-splines (Unser 1999; poles from his table). Cubic convolution blurs dots of
+// one or two pixels too much to match them. Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 
 namespace facenav::stereo::resample {
 
 constexpr int kTaps = 6, kLanes = 8;  // weights are padded to SIMD width with zeros
-constexpr int kSteps = 1024;          // of the table of weights, per pixel
-constexpr int kBorder = 4;            // coefficients readable beyond each side of the image
+constexpr int kSteps = 1024;          // steps per pixel in the table of weights
+constexpr int kBorder = 4;            // readable coefficients beyond each side of the image
 
 struct Kernel {
   /// Recursive filter of one pole down and up all columns, in place (mirrored at both ends).
@@ -21,7 +21,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::resample

@@ -6,11 +6,12 @@
 
 namespace facenav::stereo::sgm {
 
-constexpr int kPadding = 16;          // of a path's costs, before and after the disparities
-constexpr std::int16_t kFar = 16384;  // costs there
+constexpr int kPadding = 16;          // elements before and after a path's costs
+constexpr std::int16_t kFar = 16384;  // cost in the padding
 
-/// Path costs of one pixel, from those of the one before: adds them to `total`; returns the least. `before`
-/// and `now` are readable kPadding elements beyond both ends and hold kFar there. `cost`: census distances.
+/// Path costs of one pixel from those of the pixel before. Adds them to `total` and returns the least.
+/// `before` and `now` are readable kPadding elements beyond both ends and contain kFar there. `cost`: census
+/// distances.
 using Step = std::int16_t (*)(const std::uint8_t* cost, const std::int16_t* before, std::int16_t least_before,
                               std::int16_t small_step, std::int16_t large_step, int disparities,
                               std::int16_t* now, std::int16_t* total);
@@ -25,7 +26,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::sgm

@@ -25,7 +25,7 @@ struct Limits {
 };
 
 struct Plane {
-  float d, a, b;  // disparity at the pixel, its slopes along x and y
+  float d, a, b;  // disparity at the pixel, slopes along x and y
 };
 
 struct Fit {
@@ -34,27 +34,27 @@ struct Fit {
   bool is_good;
 };
 
-/// Result images, float, one stride (in elements) for all; disparity NaN where no fit holds.
+/// Result images, float, one stride (in elements) for all; disparity NaN without an accepted fit.
 struct Field {
   float *disparity, *slope_x, *slope_y, *sigma;
   int stride;
 };
 
-/// One set of these for each instruction set.
+/// The kernels of one instruction set.
 struct Kernel {
-  /// Fits every pixel of row y that has a start (whole-pixel disparity, -1: none); neighbours hand on their
+  /// Fits every pixel of row y that has a start (whole-pixel disparity, -1: none). Neighbours pass on their
   /// planes.
   void (*fit_row)(const Images&, const Limits&, int y, const std::int16_t* start, const Field&);
   /// Fits one pixel from a plane carried over from a neighbour.
   Fit (*fit_at)(const Images&, const Limits&, int x, int y, Plane start);
-  /// Fits row y once more, now with the shape that `seen` gives the surface inside the window in place of a
-  /// plane: a plane cuts off ridges and fills up hollows.
+  /// Fits row y again with the surface's shape inside the window, as given by `seen`, instead of a plane. A
+  /// plane cuts off ridges and fills hollows.
   void (*refine_row)(const Images&, const Limits&, int y, const Field& seen, const Field& refined);
 };
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::stereo::subpixel

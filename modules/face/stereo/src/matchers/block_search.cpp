@@ -16,19 +16,19 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kBlockUniqueness_256 = 10;
-constexpr float kNeighbour_px = 2.0f;  // blocks of one surface differ by less (slope 0.5)
-constexpr int kFewestNeighbours = 3;   // of 8
+constexpr float kNeighbour_px = 2.0f;  // largest difference of neighbouring blocks of one surface (slope 0.5)
+constexpr int kFewestNeighbours = 3;   // of the 8 neighbours
 const float kNone = std::numeric_limits<float>::quiet_NaN();
 
-// A block is kept where enough of its neighbours agree, and where no nearer surface maps to the same place in
-// the right image with a smaller cost.
+// Keeps a block if enough of its neighbours agree, and if no nearer surface maps to the same place in the
+// right image with a smaller cost.
 cv::Mat agreeing(const cv::Mat& found) {
   cv::Mat kept(found.size(), CV_32F, cv::Scalar(kNone));
   for (int y = 0; y < found.rows; ++y)
     for (int x = 0; x < found.cols; ++x) {
       const float d = found.at<float>(y, x);
       if (!(d >= 0)) continue;
-      int agree = -1;  // itself
+      int agree = -1;  // does not count itself
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, found.rows - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, found.cols - 1); ++u)
           agree += std::abs(found.at<float>(v, u) - d) < kNeighbour_px;
@@ -37,8 +37,8 @@ cv::Mat agreeing(const cv::Mat& found) {
   return kept;
 }
 
-// Fills holes: repeated means of the known values over 2 x 2, then back from the coarser level to the finer
-// one.
+// Fills holes with repeated means of the known values over 2 x 2, then back from the coarser level to the
+// finer one.
 cv::Mat filled(const cv::Mat& holed) {
   if (holed.rows <= 1 && holed.cols <= 1) return holed;
   cv::Mat half((holed.rows + 1) / 2, (holed.cols + 1) / 2, CV_32F);
@@ -69,7 +69,7 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
       (rectification.disparities + kDisparityBlock - 1) / kDisparityBlock * kDisparityBlock;
   const cv::Mat left = normalisedImage(pair.left, rectification.left_mask, kNormalisedMiddle, rows * kBlock,
                                        columns * kBlock, 0, false);
-  // Mirrored: column width - 1 - x + d holds x - d; the padding reaches the disparities added.
+  // Mirrored: column width - 1 - x + d is the right pixel x - d; the padding covers the added disparities.
   const int width = pair.left.cols;
   const int lead = columns * kBlock - width;  // mirrored columns before those of the image
   const cv::Mat right = normalisedImage(pair.right, rectification.right_mask, kNormalisedInvalid,

@@ -9,16 +9,16 @@
 
 namespace facenav::stereo {
 
-/// 32-bit float, one disparity for each 4 x 4 pixels of the rectified left image; blocks without a clear
-/// match are filled from their neighbours. All NaN where nothing matches.
+/// One disparity for each 4 x 4 pixels of the rectified left image, 32-bit float. Blocks without a clear
+/// match are filled from their neighbours. All NaN if nothing matches.
 cv::Mat searchBlocks(const Rectification& rectification, const RectifiedPair& pair,
                      const block::Kernel& kernel = block::kernel());
 
-/// The same without a search, from points of a known surface (Camera): the nearest point in each block.
+/// Disparities of a known surface's points (Camera) instead of a search: the nearest point in each block.
 cv::Mat blocksOf(const Rectification& rectification, const cv::Size& image,
                  const PointCloud<Camera>& surface);
 
-/// Number of blocks with a clear match that their neighbours agree with.
+/// Number of blocks with a clear match that agrees with their neighbours.
 int matchedBlocks(const Rectification& rectification, const RectifiedPair& pair);
 
 }  // namespace facenav::stereo

@@ -15,7 +15,7 @@ namespace facenav::stereo {
 namespace {
 
 field::Window windowOf(double sigma_px) {
-  // The 2 x 2 pixels of a node are part of the window: their own variance is 1/4.
+  // The 2 x 2 pixels of a node are part of the window; their own variance is 1/4.
   const double sigma = std::sqrt(std::max(sigma_px * sigma_px - 0.25, 0.05)) / 2.0;
   field::Window window{std::clamp(int(std::ceil(2.5 * sigma)), 1, field::kLargestRadius), {}, 0};
   double sum = 0, squares = 0;
@@ -54,7 +54,7 @@ void DisparityField::estimate(double window_sigma_px, cv::Mat& change, cv::Mat& 
   for (cv::Mat* plane : {&change, &sigma, &correlation}) plane->create(nodes_.rows, nodes_.columns, CV_32F);
   const field::Window window = windowOf(window_sigma_px);
   const field::Step out{change.ptr<float>(), sigma.ptr<float>(), correlation.ptr<float>()};
-  // A strip's result does not depend on where it begins: as many as there are threads.
+  // The number of strips does not change a strip's result, so there are as many as threads.
   const int strips = stripsFor(nodes_.rows);
   parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<float> scratch(std::size_t(field::scratchSize(nodes_.columns)));
@@ -79,7 +79,7 @@ void DisparityField::addDetail(double window_sigma_px) {
     ratio.ptr<float>()[i] = std::min(r * r, 100.0f);
   }
   ratio = smoothed(ratio, window_sigma_px / 2.0);
-  cv::Mat added(change.size(), CV_32F);  // squared, what this step changed
+  cv::Mat added(change.size(), CV_32F);  // squared change by this step
   for (int i = 0; i < int(ratio.total()); ++i) {
     const float share = std::max(0.0f, 1.0f - 1.0f / std::max(ratio.ptr<float>()[i], 1e-6f));
     const float part = share * change.ptr<float>()[i];
@@ -89,8 +89,8 @@ void DisparityField::addDetail(double window_sigma_px) {
     const float fine = sigma.ptr<float>()[i];
     s = std::sqrt(share * fine * fine + (1 - share) * s * s);
   }
-  // Where a smaller window still changes the surface, the next smaller ones would too: by about as much each
-  // time.
+  // If a smaller window still changes the surface, the next smaller ones would change it by about as much
+  // again.
   constexpr float kRemaining = 3.0f;
   added = smoothed(added, window_sigma_px / 2.0);
   for (int i = 0; i < int(added.total()); ++i) {
@@ -100,7 +100,7 @@ void DisparityField::addDetail(double window_sigma_px) {
 }
 
 DisparityMap DisparityField::map(const MatchOptions& options) const {
-  constexpr float kLargestStep_px = 1.5f;  // from node to node of one surface
+  constexpr float kLargestStep_px = 1.5f;  // between neighbouring nodes of one surface
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cv::Mat accepted = disparity_.clone();
   for (int i = 0; i < int(accepted.total()); ++i)

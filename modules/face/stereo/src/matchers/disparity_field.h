@@ -1,6 +1,6 @@
 #pragma once
 // Stage 2 of the "field" matcher: a smooth disparity field, improved by Gauss-Newton steps over the whole
-// image (field_kernel.h says how).
+// image (see field_kernel.h).
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -20,10 +20,10 @@ class DisparityField {
   void start(const cv::Mat& nodes);
   /// One Gauss-Newton step with a Gaussian window.
   void step(double window_sigma_px);
-  /// A step with a smaller window. At each node only the part above its noise is kept: creases and edges get
-  /// sharper, smooth skin gets no noisier.
+  /// A step with a smaller window. Each node keeps only the part above its noise, so that creases and edges
+  /// get sharper and smooth skin gets no noisier.
   void addDetail(double window_sigma_px);
-  /// The field at each pixel where it is accepted.
+  /// The field at each accepted pixel.
   DisparityMap map(const MatchOptions& options) const;
 
  private:
@@ -32,7 +32,7 @@ class DisparityField {
   const ImageRows& images_;
   field::Nodes nodes_;
   field::Kernel kernel_;
-  cv::Mat disparity_, sigma_, correlation_;  // on nodes
+  cv::Mat disparity_, sigma_, correlation_;  // one value per node
 };
 
 }  // namespace facenav::stereo

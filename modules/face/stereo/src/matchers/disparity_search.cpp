@@ -15,10 +15,11 @@ constexpr int kNormalisingWindow_px = 15;
 constexpr float kNoise_grey = 2.0f;  // contrast below this is noise and is not stretched
 constexpr float kLevels_per_sigma = 9.0f;
 constexpr int kMiddle = 32, kHighest = 63,
-              kInvalid = 255;  // an invalid right pixel differs from all by the most
+              kInvalid = 255;  // largest difference to every valid level, for invalid right pixels
 constexpr int kUniqueness_256 = 10;
 
-// Local mean 0 and standard deviation 1, as 6 bits round kMiddle: the SSD is then blind to gain and offset.
+// Normalises to local mean 0 and standard deviation 1, as 6 bits round kMiddle. This makes the SSD
+// independent of gain and offset.
 cv::Mat normalise(const cv::Mat& image, const cv::Mat& mask, int invalid) {
   cv::Mat mean, square;
   const cv::Size window(kNormalisingWindow_px, kNormalisingWindow_px);
@@ -67,7 +68,8 @@ cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPai
                  "the search window is odd, 5 to 11 px");
   const int half = window_px / 2, padding = ssd::kDisparityBlock;
   const int disparities = (rectification.disparities + padding - 1) / padding * padding;
-  const int extra = disparities - rectification.disparities;  // columns the padding reaches further left
+  const int extra =
+      disparities - rectification.disparities;  // further columns to the left that the padding adds
   const cv::Mat left =
       padded(normalise(pair.left, rectification.left_mask, kMiddle), half + 1, half, half, kMiddle);
   cv::Mat right = padded(normalise(pair.right, rectification.right_mask, kInvalid), half + 1, half + extra,
@@ -82,7 +84,7 @@ cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPai
                      disparities,
                      half};
   cv::Mat disparity(pair.left.size(), CV_16S);
-  // Strips fixed in number, so that the result never depends on the number of cores.
+  // The number of strips is fixed, so that the result does not depend on the number of cores.
   constexpr int kStrips = 8;
   parallelRanges(0, kStrips, [&](int begin, int end) {
     StripMemory memory(images);

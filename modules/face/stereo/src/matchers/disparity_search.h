@@ -7,7 +7,7 @@
 
 namespace facenav::stereo {
 
-/// 16-bit signed, size of the rectified left image: the disparity, -1 where there is none.
+/// 16-bit signed, size of the rectified left image: the disparity, or -1 if unknown.
 cv::Mat searchDisparities(const Rectification& rectification, const RectifiedPair& pair, int window_px);
 
 }  // namespace facenav::stereo

@@ -13,7 +13,7 @@ namespace facenav::stereo {
 namespace {
 
 constexpr double kDetailWindow_px = 2.5,
-                 kDetailShrinks = 0.75;  // of its step, and from each step to the next
+                 kDetailShrinks = 0.75;  // from each step's window to the next
 
 class FieldMatcher : public DenseMatcher {
  public:

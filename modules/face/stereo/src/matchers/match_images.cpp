@@ -39,7 +39,7 @@ cv::Mat splineAlongRows(const cv::Mat& image) {
   return coefficients;
 }
 
-// First and one past the last valid pixel of each row: what lies inside an image is seen in one piece.
+// First and one past the last valid pixel of each row. The valid part of a row is contiguous.
 void validColumns(const cv::Mat& mask, std::vector<std::int32_t>& first, std::vector<std::int32_t>& end) {
   first.assign(mask.rows, 0);
   end.assign(mask.rows, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// MatchImages: a rectified pair made ready for the "field" matcher.
+// MatchImages: a rectified pair prepared for the "field" matcher.
 
 #include <opencv2/core.hpp>
 #include <vector>

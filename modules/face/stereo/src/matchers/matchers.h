@@ -8,7 +8,7 @@
 namespace facenav::stereo {
 
 std::unique_ptr<DenseMatcher> makeFieldMatcher();
-/// The same on an NVIDIA GPU. Throws Error where none answers or the build has no CUDA.
+/// Makes "field" on an NVIDIA GPU. Throws Error without a device or in a build without CUDA.
 std::unique_ptr<DenseMatcher> makeCudaFieldMatcher();
 bool hasCudaMatcher();
 std::unique_ptr<DenseMatcher> makeSsdMatcher();

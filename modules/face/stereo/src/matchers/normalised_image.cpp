@@ -12,13 +12,13 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kCell = block::kBlock;  // statistics are taken of cells of 4 x 4 pixels
-constexpr int kWindow_cells = 5;      // round each cell
+constexpr int kCell = block::kBlock;  // statistics are computed for cells of 4 x 4 pixels
+constexpr int kWindow_cells = 5;      // window centred on each cell
 constexpr float kNoise_grey = 2.0f;   // contrast below this is noise and is not stretched
 constexpr float kLevels_per_sigma = 9.0f;
 
 struct Statistics {
-  cv::Mat mean, scale;  // of each cell: level = (grey - mean) * scale
+  cv::Mat mean, scale;  // per cell: level = (grey - mean) * scale
 };
 
 Statistics statisticsOf(const cv::Mat& image, const block::Kernel& kernel) {

@@ -15,7 +15,7 @@ namespace facenav::stereo {
 namespace {
 
 planes::Window windowOf(double sigma_px) {
-  // A block of 4 x 4 pixels has a variance of its own, 1.25 px^2 along each axis.
+  // A block of 4 x 4 pixels has an own variance of 1.25 px^2 along each axis.
   constexpr double kBlockVariance = 1.25, kLeast = 0.3;
   const double sigma = std::sqrt(std::max(sigma_px * sigma_px - kBlockVariance, kLeast)) / planes::kBlock;
   planes::Window window{std::clamp(int(std::ceil(2.2 * sigma)), 1, planes::kLargestRadius), {}, 0};
@@ -57,7 +57,7 @@ PlaneField::PlaneField(const MatchImages& images, const planes::Kernel& kernel)
     : images_(images.rows()), kernel_(kernel) {}
 
 void PlaneField::setPriors() {
-  // Slopes of the neighbourhood: central differences of d, smoothed, where no jump makes them senseless.
+  // Prior of the slopes: smoothed central differences of d, except across jumps.
   cv::Mat &d = now_.d, &a = now_.a_prior, &b = now_.b_prior;
   const auto slope = [](float before, float after, int blocks) {
     const float s = (after - before) / float(planes::kBlock * std::max(blocks, 1));
@@ -92,7 +92,7 @@ void PlaneField::start(const cv::Mat& blocks) {
 void PlaneField::run(double window_sigma_px, bool is_fit) {
   const planes::Window window = windowOf(window_sigma_px);
   const planes::Field from = now_.view(), to = next_.view();
-  // A strip's result does not depend on where it begins: as many as there are threads.
+  // The number of strips does not change a strip's result, so there are as many as threads.
   const int strips = kernel_.needs_one_strip ? 1 : stripsFor(from.rows);
   parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<float> scratch(std::size_t(planes::scratchSize(from.columns)));
@@ -115,7 +115,7 @@ bool PlaneField::isAccepted(int x, int y, const MatchOptions& options) const {
          now_.sigma.at<float>(y, x) <= float(options.largest_sigma_px);
 }
 
-// The mean of the accepted neighbours' planes, where there are some and they agree.
+// Sets a plane to the mean of the accepted neighbours' planes, if they agree.
 void PlaneField::carryOn(int x, int y, const cv::Mat& accepted) {
   constexpr int kFewest = 2;
   constexpr float kLargestSpread_px = 2.0f;
@@ -171,7 +171,7 @@ cv::Mat PlaneField::nodes() const {
 }
 
 DisparityMap PlaneField::map(const MatchOptions& options) const {
-  constexpr float kLargestStep_px = 2.5f;  // from block to block of one surface
+  constexpr float kLargestStep_px = 2.5f;  // between neighbouring blocks of one surface
   const int blocks = options.smallest_patch_px / (planes::kBlock * planes::kBlock);
   cv::Mat accepted = now_.d.clone();
   for (int y = 0; y < accepted.rows; ++y)

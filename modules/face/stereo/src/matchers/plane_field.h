@@ -1,6 +1,6 @@
 #pragma once
 // Stage 2 of the "field" matcher: the surface as a grid of planes, improved by Gauss-Newton steps over the
-// whole image (plane_kernel.h says how).
+// whole image (see plane_kernel.h).
 
 #include <opencv2/core.hpp>
 #include <vector>
@@ -18,15 +18,15 @@ class PlaneField {
 
   /// `blocks`: 32-bit float, the disparity of each 4 x 4 pixels; no NaN.
   void start(const cv::Mat& blocks);
-  /// One Gauss-Newton step with a window of about that standard deviation.
+  /// One Gauss-Newton step with a window of about this standard deviation.
   void step(double window_sigma_px);
-  /// Extends accepted planes by one block into neighbours that are not accepted, then a step. Windows of the
-  /// search fail on steep skin, where the disparity changes by pixels inside them. There the surface grows
+  /// Extends accepted planes by one block into neighbours that are not accepted, then does a step. Search
+  /// windows fail on steep skin, where the disparity changes by pixels inside them; the surface grows into it
   /// from its sides.
   void grow(double window_sigma_px, const MatchOptions& options);
-  /// The surface at each 2 x 2 pixels, everywhere.
+  /// The surface at each 2 x 2 pixels, accepted or not.
   cv::Mat nodes() const;
-  /// The surface at each pixel where it is accepted.
+  /// The surface at each accepted pixel.
   DisparityMap map(const MatchOptions& options) const;
 
  private:

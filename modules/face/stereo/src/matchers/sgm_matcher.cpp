@@ -15,13 +15,14 @@ namespace facenav::stereo {
 namespace {
 
 constexpr int kCensusAcross = 4, kCensusDown = 3;  // 9 x 7: 62 comparisons
-constexpr std::uint8_t kUnknown = 31;              // distance where one of the images shows nothing
+constexpr std::uint8_t kUnknown = 31;              // distance if one of the images has no valid pixel
 constexpr int kSmallStep = 7, kLargeStep = 60, kLeastLargeStep = 18;
 constexpr float kEdge_grey = 10.0f;  // a grey step that halves the cost of a disparity step
-constexpr float kMeasured_px = 0.25f, kFilled_px = 1.0f;  // deviations stated: of matches, of holes filled
+constexpr float kMeasured_px = 0.25f,
+                kFilled_px = 1.0f;  // predicted deviations of matches and of filled holes
 const float kNone = std::numeric_limits<float>::quiet_NaN();
 
-// One bit for each neighbour: is it darker than the middle? One word for each pixel, row by row.
+// Census words, one per pixel, row by row. Each bit: is one neighbour darker than the middle?
 std::vector<std::uint64_t> censusOf(const cv::Mat& image) {
   cv::Mat padded;
   cv::copyMakeBorder(image, padded, kCensusDown, kCensusDown, kCensusAcross, kCensusAcross,
@@ -53,7 +54,7 @@ class Volume {
         costs_(std::size_t(width_) * height_ * disparities_),
         totals_(costs_.size(), 0) {
     fillCosts(rectification, pair);
-    // Four directions on the way down, four on the way up: from the left, and from three pixels of the row
+    // Four directions on the way down and four on the way up: from the left, and from three pixels of the row
     // above.
     for (const int down : {1, -1}) sweep(down);
   }
@@ -82,7 +83,8 @@ void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
                           *right_row = right.data() + std::size_t(y) * pair.right.cols;
       for (int x = 0; x < width_; ++x) {
         std::uint8_t* cost = costs_.data() + at(x, y);
-        // Column r.disparities of the right image stands below column 0 of the left one: all are inside.
+        // Column r.disparities of the right image corresponds to column 0 of the left one, so all reads are
+        // inside.
         kernel.distances(left_row[x], right_row + x + r.disparities, r.disparities, cost);
         const std::uint8_t* right_mask = r.right_mask.ptr<std::uint8_t>(y) + x + r.disparities;
         const bool is_seen = r.left_mask.at<std::uint8_t>(y, x) != 0;
@@ -96,7 +98,7 @@ void Volume::fillCosts(const Rectification& r, const RectifiedPair& pair) {
 void Volume::sweep(int down) {
   const sgm::Step step = sgm::kernel().step;
   const int pitch = disparities_ + 2 * sgm::kPadding;
-  // Of each column: the path from the row before straight down, and along both diagonals; two rows of them.
+  // Per column: the path from the row before straight down, and along both diagonals; two rows of them.
   std::vector<std::int16_t> rows[2], least[2];
   for (int i = 0; i < 2; ++i) {
     rows[i].assign(std::size_t(3) * (width_ + 2) * pitch, sgm::kFar);
@@ -118,7 +120,7 @@ void Volume::sweep(int down) {
       };
       const std::uint8_t* cost = costs_.data() + at(x, y);
       std::int16_t* total = totals_.data() + at(x, y);
-      // A path that begins here has no costs before it: `jump` is 0 then.
+      // A path that begins here has no earlier costs; its `jump` is 0.
       const auto walk = [&](const std::int16_t* from, std::int16_t least_from, bool is_first, int dx, int dy,
                             std::int16_t* to) {
         if (is_first)
@@ -179,7 +181,7 @@ void matchRow(const Volume& volume, const Rectification& r, int y, cv::Mat& disp
   }
 }
 
-// Holes take the background beside them: the smaller disparity of the nearest matches along the row.
+// Fills holes with the background beside them: the smaller disparity of the nearest matches along the row.
 cv::Mat filledAlongRows(const cv::Mat& disparity, const cv::Mat& mask) {
   cv::Mat filled = disparity.clone();
   for (int y = 0; y < filled.rows; ++y) {

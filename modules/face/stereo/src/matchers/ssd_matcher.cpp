@@ -14,9 +14,9 @@
 namespace facenav::stereo {
 namespace {
 
-constexpr int kFineSteps = 4;  // samples per pixel along x; subpixel_kernel.inl relies on it
+constexpr int kFineSteps = 4;  // samples per pixel along x; subpixel_kernel.inl depends on it
 
-// Samples between the pixels, by cubic interpolation; linear interpolation between these is then as good.
+// Samples between the pixels by cubic interpolation; linear interpolation between these is then exact enough.
 cv::Mat fineAlongRows(const cv::Mat& image) {
   cv::Mat places(image.rows, image.cols * kFineSteps, CV_32FC2), fine;
   for (int y = 0; y < places.rows; ++y)
@@ -76,9 +76,8 @@ class SubpixelStage {
     return map;
   }
 
-  // Windows of the whole-pixel search fail on steep surfaces, where the disparity changes by more than a
-  // pixel inside them; there the surface is grown from its fitted part, each pixel starting from its
-  // neighbour's plane.
+  // Grows the surface over steep skin from its fitted part, each pixel starting from its neighbour's plane.
+  // There the disparity changes by more than a pixel inside a window, and the whole-pixel search fails.
   DisparityMap grown(DisparityMap map) const {
     const subpixel::Field field = fieldOf(map);
     std::deque<cv::Point> front;
@@ -114,9 +113,8 @@ class SubpixelStage {
     const float a = field.slope_x[i], b = field.slope_y[i];
     const float carried = field.disparity[i] + a * float(step.x) + b * float(step.y);
     const subpixel::Fit fit = kernel_.fit_at(images_, limits_, at.x, at.y, {carried, a, b});
-    constexpr float kLargestJump_px = 0.5f;  // from the neighbour's plane: more is another surface
-    // Written so that a fit that is no number is refused too: it would leave the pixel open and grow for
-    // ever.
+    constexpr float kLargestJump_px = 0.5f;  // difference from the neighbour's plane; more is another surface
+    // This form also refuses a NaN fit, which would leave the pixel open and grow for ever.
     if (!fit.is_good || !(std::abs(fit.plane.d - carried) <= kLargestJump_px)) return false;
     field.disparity[to] = fit.plane.d;
     field.slope_x[to] = fit.plane.a;

@@ -1,6 +1,6 @@
 #pragma once
-// How many strips of rows the work is cut into. Each strip repeats some rows of its neighbours, so there are
-// no more strips than threads can use. The results must not depend on the number.
+// Number of strips of rows that the work is divided into. Each strip repeats some rows of its neighbours, so
+// there are no more strips than threads. The results must not depend on the number.
 
 #include <algorithm>
 

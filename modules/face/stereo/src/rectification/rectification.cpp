@@ -16,9 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLeastForward =
-    0.3;                        // cosine-like bound: no ray steeper than about 73 degrees to the common axis
-constexpr int kMapStep_px = 4;  // the distortion is smooth: exact every 4 px, linear between (< 0.002 px)
+constexpr double kLeastForward = 0.3;  // least cosine: rays up to about 73 degrees from the common axis
+constexpr int kMapStep_px = 4;         // the map is exact every 4 px and linear between (error < 0.002 px)
 
 Matrix3d commonOrientation(const cameras::StereoRig& rig) {
   const auto left_T_right = rig.right_T_left.inverse();
@@ -50,7 +49,8 @@ std::vector<Vector2d> outline(const cameras::CameraModel& camera, const cv::Rect
 
 struct Bounds {
   double left = std::numeric_limits<double>::max(), top = left, right = -left, bottom = -left;
-  double smallest_z = left, largest_z = -left;  // depth in the rectified frame per depth in the camera's
+  double smallest_z = left,
+         largest_z = -left;  // depth in the rectified frame relative to depth in the camera's
 };
 
 Bounds boundsInRectified(const Matrix3d& rectified_R_camera, const std::vector<Vector2d>& points) {

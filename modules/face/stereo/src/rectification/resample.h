@@ -1,5 +1,5 @@
 #pragma once
-// An image at other places, by quintic B-splines.
+// Resamples an image at other places by quintic B-splines.
 
 #include <opencv2/core.hpp>
 

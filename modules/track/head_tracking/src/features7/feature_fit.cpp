@@ -189,7 +189,7 @@ Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
     result.centre_mm += result.motion * reference_mm[point.match.feature] / double(agreeing.size());
   }
   refineInImages(rig, reference_mm, result);
-  double agreeing_features = 0;  // sum of their weights after the fit
+  double agreeing_features = 0;  // sum of the weights after the fit
   for (const auto& match : result.inliers) agreeing_features += match.weight;
   const double sigma_rad = std::sqrt(result.covariance.topLeftCorner<3, 3>().trace());
   if (!(result.rms_px < kHighestRms_px) || agreeing_features < kLeastAgreeing ||

@@ -1,7 +1,8 @@
 #pragma once
-// One pose from the paper's features (section 4, equation 2), and the check whether to accept it.
+// One pose from the paper's features (section 4, equation 2), and its acceptance test.
 //
-// NCC is no protection: two exchanged eye corners still score 0.95-0.98. So the features must keep their
+// NCC alone is no protection: two exchanged eye corners still score 0.95-0.98. So the features must keep
+// their
 // mutual distances: every triple proposes a motion, and the one with the most inliers is kept. The pose of
 // equation 2 must also reproject onto both images. It is then refined in the images, a deviation from the
 // paper: triangulation turns a quarter of a pixel into a millimetre of depth; the joint fit has a third of
@@ -30,8 +31,8 @@ struct FeatureFit {
   std::vector<FeatureMatch> inliers;
 };
 
-/// The motion of `reference_mm` (Camera at the reference) that explains the matches. Else Lost{few_features}
-/// or Lost{high_residual}.
+/// Returns the motion of `reference_mm` (Camera at the reference) that explains the matches, or
+/// Lost{few_features} or Lost{high_residual}.
 Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
                                 const std::vector<Eigen::Vector3d>& reference_mm,
                                 const std::vector<FeatureMatch>& matches);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<int, 7> kLandmarks = {36, 39, 42, 45,
                                            30, 48, 54};  // iBUG: eye corners, nose tip, mouth corners
-constexpr double kTemplateShare = 0.19;  // edge of the template over the distance of the outer eye corners
+constexpr double kTemplateShare = 0.19;  // edge of the template by the distance of the outer eye corners
 constexpr double kLeastNcc = 0.6;
 constexpr double kReferenceNcc = 0.5;
 constexpr double kLongestGap_s = 0.25;  // no prediction across a longer gap

@@ -8,7 +8,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kGrazing_cos = 0.25;  // a more oblique patch shows too little
+constexpr double kGrazing_cos = 0.25;  // least cosine; more oblique patches are not used
 
 // d(pixel) / d(the two coordinates in the patch's plane).
 Eigen::Matrix2d spread(const cameras::CameraModel& camera, const Eigen::Vector3d& p_mm,

@@ -1,6 +1,6 @@
 #pragma once
-// How the image of a small plane patch of skin changes between the reference frame and another pose: an
-// affine map of its pixels, from pose and surface normal.
+// PlaneWarp: affine map of the pixels of a small plane patch of skin from the reference frame to another
+// pose, from pose and surface normal.
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -11,8 +11,8 @@
 namespace facenav::head_tracking {
 
 struct PlaneWarp {
-  Eigen::Vector2d px = Eigen::Vector2d::Zero();  // of the patch's centre in the current image
-  Eigen::Matrix2d reference_from_now = Eigen::Matrix2d::Identity();  // pixel offsets
+  Eigen::Vector2d px = Eigen::Vector2d::Zero();  // the patch's centre in the current image
+  Eigen::Matrix2d reference_from_now = Eigen::Matrix2d::Identity();  // maps pixel offsets
   bool is_visible = false;                                           // in front of the camera and facing it
 };
 

@@ -18,7 +18,7 @@ constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}
 constexpr double kScales[] = {1.0, 0.82, 1.22};    // scales of the face in the image, tried in turn
 constexpr double kNearest = 0.6, kFarthest = 1.7;  // distance of the face, relative to that in the view
 constexpr std::size_t kAtOnce = 20;                // views per frame
-constexpr std::size_t kMostPoints = 160;           // of a view
+constexpr std::size_t kMostPoints = 160;           // points of a view
 constexpr std::size_t kFewestPoints = 30;
 constexpr std::size_t kMostFitted = 2;  // places per frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
@@ -33,8 +33,8 @@ double turnOf(const Eigen::Matrix3d& rotation) { return Eigen::AngleAxisd(rotati
 
 }  // namespace
 
-// An evened image with a border of zeros, and the same split into four images of every second pixel along
-// both axes. So places two pixels apart are compared row by row at once.
+// An evened image with a border of zeros, and a copy split into four images of every second pixel along both
+// axes, so that places two pixels apart are compared row by row at once.
 class CoarseSearch::SearchImage {
  public:
   explicit SearchImage(const cv::Mat1f& image)
@@ -54,7 +54,7 @@ class CoarseSearch::SearchImage {
   /// The points of a view in whole pixels of this image, without those too far out for the border.
   struct Stencil {
     std::vector<cv::Point> at;
-    std::vector<int> offset;  // of the same points in the padded image
+    std::vector<int> offset;  // offsets of the same points in the padded image
     std::vector<float> value;
     double squares = 0.0;
   };
@@ -79,7 +79,7 @@ class CoarseSearch::SearchImage {
     }
   };
 
-  /// No match when the centre lies outside.
+  /// Returns no match if the centre lies outside.
   Match matchAt(const Stencil& stencil, const Eigen::Vector2d& centre_px) const {
     const int x = int(std::lround(centre_px.x())), y = int(std::lround(centre_px.y()));
     if (x < 0 || y < 0 || x >= size_.width || y >= size_.height) return {};

@@ -22,9 +22,9 @@ class CoarseSearch {
     std::vector<Eigen::Isometry3d> starts;  // motions since the reference, the likeliest first
     int comparisons = 0;  // work, in patch comparisons that take the same time (frame_work.h)
   };
-  /// Approximate motions of the head, to some degrees: from where it was `expected`, and from a search of the
+  /// Approximate motions of the head, to some degrees: from the `expected` one, and from a search of the
   /// images. `turn` counts up from 0 while the face is lost; each turn searches the next views (turn 0: only
-  /// the expected motion, if given). Empty when nothing in both images resembles the face.
+  /// the expected motion, if given). Empty if nothing in both images resembles the face.
   Places find(const cameras::StereoRig& rig, const EvenedPair& now,
               const std::optional<Eigen::Isometry3d>& expected, int turn) const;
   /// Adds the face as seen at `motion` (a key frame) to the search.
@@ -40,7 +40,7 @@ class CoarseSearch {
     };
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
     std::size_t appearance = 0;
-    std::array<std::vector<Point>, 2> points;  // of each camera
+    std::array<std::vector<Point>, 2> points;  // per camera
   };
   struct Candidate {
     std::size_t appearance = 0;
@@ -60,7 +60,7 @@ class CoarseSearch {
   std::size_t likeliest(const Eigen::Isometry3d& motion) const;
 
   FaceTemplate face_;
-  std::vector<FaceTemplate::Appearance> appearances_;  // appearance in the reference, then as learnt
+  std::vector<FaceTemplate::Appearance> appearances_;  // the reference's appearance, then the learnt ones
   std::vector<View> views_;                            // learnt ones first, then by angle from the reference
 };
 

@@ -8,7 +8,7 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kForeheadShare =
-    0.7;  // height of usable forehead over the distance from brow to base of the nose
+    0.7;  // height of usable forehead by the distance from brow to base of the nose
 constexpr int kSkull = 100, kJaw = 60, kMoving = 30;  // rigidity in per cent
 
 cv::Point toPoint(const Eigen::Vector2d& p) { return {int(std::lround(p.x())), int(std::lround(p.y()))}; }
@@ -72,7 +72,7 @@ FaceRegion::FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size si
   };
   cv::morphologyEx(rigidity_percent_, rigidity_percent_, cv::MORPH_CLOSE, disc(4));
   cv::erode(rigidity_percent_, rigidity_percent_,
-            disc(8));  // at the outline the background shows when the head moves
+            disc(8));  // at the outline the background becomes visible when the head moves
   std::vector<cv::Point> inside;
   cv::findNonZero(rigidity_percent_, inside);
   box_ = inside.empty() ? cv::Rect() : cv::boundingRect(inside);

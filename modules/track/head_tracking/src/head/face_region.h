@@ -1,5 +1,5 @@
 #pragma once
-// FaceRegion: which pixels of the left reference image are face skin, and how far each part follows the
+// FaceRegion: which pixels of the left reference image are face skin, and how rigidly each part follows the
 // skull. Eyelids, pupils, lips and jaw move by themselves.
 
 #include <Eigen/Core>
@@ -11,9 +11,9 @@ namespace facenav::head_tracking {
 
 class FaceRegion {
  public:
-  /// From the landmarks. Without landmarks: an ellipse in the cascade's box, all parts alike.
+  /// Makes it from the landmarks. Without landmarks: an ellipse in the cascade's box, all parts alike.
   FaceRegion(const face::FaceLandmarks& face, cv::Size size);
-  /// From the pixels of the dense cloud, all parts alike: for a face that no detector finds.
+  /// Makes it from the pixels of the dense cloud, all parts alike, for a face that no detector finds.
   FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size size);
 
   bool contains(const Eigen::Vector2d& px) const;
@@ -22,7 +22,7 @@ class FaceRegion {
   cv::Rect box() const { return box_; }
 
  private:
-  cv::Mat1b rigidity_percent_;  // 0: not face
+  cv::Mat1b rigidity_percent_;  // per pixel; 0: not face
   cv::Rect box_;
 };
 

@@ -7,8 +7,8 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLeastLikeness = 0.15;                         // of a coarse fit; below it there is no face
-constexpr double kLikely = 0.8;                                 // the head is probably there
+constexpr double kLeastLikeness = 0.15;  // of a coarse fit; lower: no face
+constexpr double kLikely = 0.8;          // from this likeness on the head is probably there
 constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // likeness with the images exchanged
 // Other work of a frame, in patch comparisons that take the same time.
 constexpr int kPyramidComparisons = 450, kEvenedComparisons = 250;

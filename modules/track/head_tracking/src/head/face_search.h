@@ -43,9 +43,9 @@ class FaceSearch {
   Found seek(const KeyFrames& keys, const std::array<ImagePyramid, 2>& now,
              const std::optional<Eigen::Isometry3d>& last, const std::optional<Eigen::Isometry3d>& expected,
              bool is_first, HeadWork& work);
-  /// Sets the start for the next frame: a fit that was converging.
+  /// Sets the start for the next frame to a fit that was converging.
   void goOnFrom(const Eigen::Isometry3d& motion) { deferred_ = motion; }
-  /// Call when the head was found.
+  /// Resets the search, because the head was found.
   void end() { turn_ = 0, deferred_.reset(); }
   /// Adds the face as seen at `motion` to the search.
   void add(const std::array<ImagePyramid, 2>& now, const Eigen::Isometry3d& motion);
@@ -61,7 +61,7 @@ class FaceSearch {
 
   cameras::StereoRig rig_;
   const PatchModel* model_ = nullptr;  // owned by the tracker
-  CoarseSearch coarse_, reference_;    // reference_: without what was learnt since the start
+  CoarseSearch coarse_, reference_;    // reference_: without views learnt since the start
   int rough_level_ = 2, turn_ = 0;
   std::optional<Eigen::Isometry3d> deferred_;
 };

@@ -13,9 +13,9 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr std::size_t kMostPoints = 1200;  // under one quadric; more add nothing to its six numbers
+constexpr std::size_t kMostPoints = 1200;  // points under one quadric; more do not improve its six numbers
 constexpr double kRoughest_mm =
-    2.0;  // rms of the points about the quadric; rougher: hair, an edge, two surfaces
+    2.0;  // rms of the points about the quadric; more: hair, an edge, two surfaces
 
 Vector6 basis(const Eigen::Vector2d& d) {
   Vector6 b;
@@ -74,7 +74,7 @@ std::optional<LocalSurface> FaceSurface::around(const Eigen::Vector2d& px, doubl
   if (mean.norm() > 0.45 * radius_px) return std::nullopt;
   surface.c(0) = upperMedian(depths);
   const double mm = 1.0 / (surface.c(0) * surface.c(0));  // d(depth) / d(inverse depth)
-  double limit = 15.0 / mm;                               // at first 15 mm about the median
+  double limit = 15.0 / mm;                               // first limit: 15 mm about the median
   for (int round = 0; round < 4; ++round) {
     Eigen::Matrix<double, 6, 6> h = Eigen::Matrix<double, 6, 6>::Zero();
     Vector6 g = Vector6::Zero();

@@ -16,7 +16,7 @@ namespace facenav::head_tracking {
 struct LocalSurface {
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 6, 1> c =
-      Eigen::Matrix<double, 6, 1>::Zero();  // 1, u, v, u^2, u v, v^2 (px from the centre)
+      Eigen::Matrix<double, 6, 1>::Zero();  // of 1, u, v, u^2, u v, v^2 (px from the centre)
   double rms_mm = 0.0;                      // robust spread of the points about it
   double roughness_mm = 0.0;  // rms of all points about it: larger at a step (hairline, nostril, lid)
 
@@ -29,8 +29,8 @@ class FaceSurface {
   FaceSurface(const std::vector<Eigen::Vector2f>& left_px, const std::vector<float>& depth_mm, cv::Size size,
               double least_radius_px = 0.0);
 
-  /// The quadric through the points within `radius_px`, without outliers. Nothing when they are too few, on
-  /// one side only, or too rough.
+  /// The quadric through the points within `radius_px`, without outliers. Returns nothing if they are too
+  /// few, on one side only, or too rough.
   std::optional<LocalSurface> around(const Eigen::Vector2d& px, double radius_px) const;
 
  private:
@@ -44,7 +44,7 @@ class FaceSurface {
   std::vector<float> inverse_depth_;
 };
 
-/// From the reference's cloud if it has one, else by passiveSurface().
+/// Makes it from the reference's cloud, or by passiveSurface() without a cloud.
 FaceSurface measureSurface(const cameras::StereoRig& rig, const HeadReference& reference,
                            const FaceRegion& region, double start_depth_mm);
 

@@ -14,19 +14,19 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr float kLeastContrast = 0.03f;  // of the mean grey; keeps noise on flatter skin small
-constexpr double kWanted = 350;          // points over the region's box
-constexpr int kLeastSpacing_px = 6;      // of the points, in the left reference image
+constexpr float kLeastContrast = 0.03f;  // relative to the mean grey; limits noise on flatter skin
+constexpr double kWanted = 350;          // number of points over the region's box
+constexpr int kLeastSpacing_px = 6;      // spacing of the points in the left reference image
 constexpr double kSurfaceRadius_px = 9.0;
 constexpr double kLeastFacing = 0.2;       // cosine of view against normal
-constexpr double kHiddenBehind_mm = 12.0;  // behind the nearest skin within one pixel of the coarsest level
-constexpr int kSteps[2] = {5, 4};          // by level
-constexpr double kSettled_mm = 0.5;        // the following fit finds the rest
-constexpr std::size_t kEvery[2] = {2, 1};  // of the points, by level
-constexpr float kReach = 1.5f;             // of a residual's robust weight, in local standard deviations
-constexpr double kFewest = 40;             // points in both images together
+constexpr double kHiddenBehind_mm = 12.0;  // behind the nearest skin within one coarsest pixel
+constexpr int kSteps[2] = {5, 4};          // steps per level
+constexpr double kSettled_mm = 0.5;        // remaining motion, left to the following fit
+constexpr std::size_t kEvery[2] = {2, 1};  // every n-th point is used, per level
+constexpr float kReach = 1.5f;  // reach of a residual's robust weight, in local standard deviations
+constexpr double kFewest = 40;  // points in both images together
 
-// Bilinear; nothing outside the image.
+// Bilinear value; nothing outside the image.
 std::optional<float> sampled(const cv::Mat1f& image, double x, double y) {
   if (!(x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1)) return std::nullopt;
   const int ix = int(x), iy = int(y);

@@ -24,7 +24,7 @@ cv::Mat1f evened(const BlurredImage& level);
 /// Both images (left, right) at the two coarsest levels.
 struct EvenedPair {
   static constexpr std::array<int, 2> kLevel = {kLevels - 1, kLevels - 2};
-  std::array<std::array<cv::Mat1f, 2>, 2> image;  // [of kLevel][camera]
+  std::array<std::array<cv::Mat1f, 2>, 2> image;  // [index of kLevel][camera]
 
   EvenedPair() = default;
   explicit EvenedPair(const std::array<ImagePyramid, 2>& now);
@@ -33,14 +33,14 @@ struct EvenedPair {
 class FaceTemplate {
  public:
   struct Point {
-    Eigen::Vector3d mm, normal;  // Head; towards the cameras
+    Eigen::Vector3d mm, normal;  // Head; normal towards the cameras
   };
   /// Grey values of the points in one pair of images. Weight 0: the camera does not see the point.
   struct Appearance {
     struct Grey {
       float value = 0.f, weight = 0.f;
     };
-    std::array<std::array<std::vector<Grey>, 2>, 2> grey;  // [of EvenedPair::kLevel][camera][point]
+    std::array<std::array<std::vector<Grey>, 2>, 2> grey;  // [index of EvenedPair::kLevel][camera][point]
   };
   struct Fit {
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  // camera_T_head
@@ -48,13 +48,13 @@ class FaceTemplate {
   };
 
   FaceTemplate() = default;
-  /// Made from the reference. `centre_mm`: centre of rotation of the increments, Head.
+  /// Makes it from the reference. `centre_mm`: centre of rotation of the increments, Head.
   FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
                const Eigen::Vector3d& centre_mm);
 
   const std::vector<Point>& points() const { return points_; }
   const Eigen::Vector3d& centre_mm() const { return centre_mm_; }
-  /// Which points a camera sees at `camera_T_head`: those that face it and are not hidden by others.
+  /// The points that a camera sees at `camera_T_head`: those that face it and are not hidden by others.
   std::vector<bool> seenBy(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head) const;
   Appearance appearanceAt(const cameras::StereoRig& rig, const EvenedPair& images,
                           const Eigen::Isometry3d& motion) const;
@@ -78,7 +78,7 @@ class FaceTemplate {
                 const Eigen::Vector3d& centre_mm) const;
 
    private:
-    std::vector<float> blocks_;  // of search::TemplateView
+    std::vector<float> blocks_;  // blocks of search::TemplateView
     int count_ = 0;
   };
   ExpectedPoints expectedPoints(const cameras::StereoRig& rig, const Appearance& appearance, std::size_t l,

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoiseInDetail =
     0.041;                           // variance of level 1 minus its 3 x 3 mean, relative to the sensor's
-constexpr int kLeastArea_px2 = 100;  // of the level
+constexpr int kLeastArea_px2 = 100;  // in pixels of the level
 
 }  // namespace
 

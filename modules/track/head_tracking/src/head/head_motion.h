@@ -24,7 +24,7 @@ class HeadMotion {
   Timestamp captured() const { return captured_; }
   /// Velocity from one frame to the next.
   const Vector6d& velocity() const { return velocity_; }
-  /// The same, smoothed over some frames: the velocity of one frame has the errors of two poses.
+  /// Velocity smoothed over some frames: that of one frame has the errors of two poses.
   const Vector6d& steady() const { return steady_; }
   /// Upper bound of the speed of a point `depth_mm` behind the face, from the steady velocity.
   double speedBehind_mm_s(double depth_mm) const {
@@ -37,7 +37,7 @@ class HeadMotion {
   Vector6d steadyWith(const Eigen::Isometry3d& pose, Timestamp captured) const;
   /// Adds a tracked pose.
   void add(const Eigen::Isometry3d& pose, Timestamp captured);
-  /// The head is lost: predict no motion.
+  /// Sets the prediction to no motion, because the head is lost.
   void stop() { velocity_.setZero(), steady_.setZero(); }
   void stopSteady() { steady_.setZero(); }
 

@@ -14,7 +14,8 @@ void blurColumns(const std::uint8_t* const rows[5], std::uint16_t* __restrict to
   for (int x = 0; x < count; ++x) to[x] = std::uint16_t(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x]);
 }
 
-// The kernel along x over these, at every `step`-th pixel: reads from[0] .. from[step * (count - 1) + 4].
+// The kernel along x over the result of blurColumns, at every `step`-th pixel: reads from[0] .. from[step *
+// (count - 1) + 4].
 template <int step>
 void blurRow(const std::uint16_t* __restrict from, std::uint16_t* __restrict to, int count) {
   for (int i = 0; i < count; ++i) {
@@ -23,8 +24,8 @@ void blurRow(const std::uint16_t* __restrict from, std::uint16_t* __restrict to,
   }
 }
 
-// Every `step`-th pixel of `part` (inside the image) along both axes, blurred. Outside the image its edge is
-// repeated.
+// Every `step`-th pixel of `part` (inside the image) along both axes, blurred. The image's edge is repeated
+// outside.
 template <int step>
 cv::Mat1w blurred(const cv::Mat& grey, const cv::Rect& part) {
   constexpr int m = kBlurMargin_px;

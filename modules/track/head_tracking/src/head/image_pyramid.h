@@ -1,6 +1,6 @@
 #pragma once
 // ImagePyramid: one image blurred by the binomial kernel 1 4 6 4 1 (sigma 1 px: less noise, and less bias of
-// bilinear sampling), and its halves. 16 bits hold the kernel's sums without rounding: 256 per grey level.
+// bilinear sampling), and its halves. 16 bits contain the kernel's sums without rounding: 256 per grey level.
 // Pixel x of level l lies at 2^l x of the image. For a tracked head only its box of level 0 is made. For a
 // search, all coarser levels are made, and only a box of level 0.
 
@@ -30,11 +30,11 @@ struct ImagePyramid {
   /// All levels of the whole image; the outermost pixels repeat their neighbours. `origin`: position of this
   /// image in a larger one, multiples of kCoarsestStep.
   explicit ImagePyramid(const cv::Mat& grey, cv::Point origin = {});
-  /// The same without level 0: a third of the time.
+  /// Makes all levels but level 0, in a third of the time.
   static ImagePyramid coarse(const cv::Mat& grey, cv::Point origin = {});
 };
 
-/// A level in grey levels, as float.
+/// A level as float, in grey levels.
 cv::Mat1f greyOf(const BlurredImage& image);
 
 }  // namespace facenav::head_tracking

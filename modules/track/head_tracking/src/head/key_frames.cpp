@@ -20,7 +20,7 @@ constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kWorstScale = 3.0,
                  kWorstSigma_mm = 0.25;  // limits of a fit to learn from
 constexpr int kLeastUsable = 60;
-constexpr int kMargin_px = 48;  // about the patches' centres: half of the coarsest patch, and its blur
+constexpr int kMargin_px = 48;  // around the patches' centres: half of the coarsest patch, and its blur
 
 double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return rotationAngle(a.linear().transpose() * b.linear());
@@ -98,7 +98,7 @@ bool KeyFrames::isNewSide(const PoseFit& fit, const Verdict& verdict) const {
   });
 }
 
-// A new side comes before unfinished coarse levels of the last one: a turning head would be past it.
+// A new side has priority over unfinished coarse levels of the last one: a turning head would be past it.
 bool KeyFrames::learn(const cameras::StereoRig& rig, const PatchModel& model,
                       const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict,
                       const KeyMotion& moving) {
@@ -224,7 +224,7 @@ void KeyFrames::goOn(const cameras::StereoRig& rig, const PatchModel& model) {
   while (fresh.next < end) learnPatch(rig, model, fresh.next++);
   if (end < all) return;
   if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.pop_front();
-  if (fresh.level == 0) {  // enough to track; the reference's coarser levels serve until they are learnt
+  if (fresh.level == 0) {  // enough to track; the reference's coarser levels are used until they are learnt
     fresh.index = keys_.size();
     keys_.push_back(fresh.key);
   } else {

@@ -18,11 +18,11 @@ class LateCamera {
   LateCamera(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm)
       : rig_(rig), now_(rig), centre_mm_(centre_mm) {}
 
-  /// The right camera has moved on its mount.
+  /// Sets a new pose of the right camera, which has moved on its mount.
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
     rig_.right_T_left = right_T_left;
   }
-  /// The delay of this frame by the drivers' time stamps, s.
+  /// Sets the delay of this frame by the drivers' time stamps, s.
   void state(double late_s) { offset_.state(late_s); }
   /// The rig for a head at rest.
   const cameras::StereoRig& rig() const { return rig_; }

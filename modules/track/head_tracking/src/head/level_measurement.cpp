@@ -10,8 +10,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
-constexpr float kAlikeShare = 0.6f;  // of the expected correlation
-constexpr int kFewestAlike = 10;     // patches in view of both cameras; with fewer, no result
+constexpr float kAlikeShare = 0.6f;  // share of the expected correlation
+constexpr int kFewestAlike = 10;     // patches in view of both cameras; no result with fewer
 constexpr int kLightSteps = 2;       // steps of a fit in which the light is measured
 
 patch::Image imageOf(const BlurredImage& image) {

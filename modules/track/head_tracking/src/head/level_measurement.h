@@ -1,7 +1,7 @@
 #pragma once
-// LevelMeasurement: the patches of one level in both cameras' images at a pose: where they lie, whether they
-// look as expected, and the displacement that is left. The change of light over the face, measured by a
-// patch's neighbours, is subtracted (light_field.h).
+// LevelMeasurement: the patches of one level in both cameras' images at a pose: their places, whether they
+// look as expected, and the remaining displacement. The change of light over the face, measured by a patch's
+// neighbours, is subtracted (light_field.h).
 
 #include <array>
 #include <vector>
@@ -21,14 +21,15 @@ class LevelMeasurement {
   void placeAt(const Eigen::Isometry3d& motion);
   const std::array<Placed, 2>& placed() const { return placed_; }
   void measure(const Eigen::Isometry3d& motion);
-  /// Computes where the patches' centres lie at the end of the fit.
+  /// Computes the places of the patches' centres at the end of the fit.
   void markCentres(const Eigen::Isometry3d& motion);
 
   PatchMeasurements& measurements() { return measurements_; }
   const PatchMeasurements& measurements() const { return measurements_; }
   /// Fraction of the patches in view that look as expected.
   double likeness() const;
-  /// Unevenness of the change of brightness over the face since the key frame: half the middle 68 %.
+  /// Unevenness of the change of brightness over the face since the key frame: half the range of the middle
+  /// 68 %.
   double lightChange() const;
 
  private:

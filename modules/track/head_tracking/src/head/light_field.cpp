@@ -6,8 +6,8 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr float kMostChange =
-    0.35f;                           // of a neighbour's ratio against the patch's own; more: edge of a shadow
-constexpr float kRidge_px2 = 150.f;  // with few neighbours on one side, prefers no slope
+    0.35f;  // difference of a neighbour's ratio from the patch's own; more: edge of a shadow
+constexpr float kRidge_px2 = 150.f;  // prefers no slope if few neighbours lie on one side
 constexpr float kLeastWeight = 4.f;
 
 }  // namespace

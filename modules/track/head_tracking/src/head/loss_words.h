@@ -1,5 +1,5 @@
 #pragma once
-// LossWords: the probable cause of a loss, for messages (loss_detail.h). It decides nothing.
+// LossWords: the probable cause of a loss, for messages (loss_detail.h). It does not affect the pose.
 
 #include <optional>
 
@@ -17,15 +17,15 @@ class LossWords {
   LossWords(const Eigen::Vector3d& centre_mm, double noise_grey, const ImagePyramid& reference,
             const cv::Rect& face);
 
-  /// The detail for a reason. Some patches look as expected but too few do: occluded.
+  /// The detail for a reason. If some patches look as expected, but too few: occluded.
   static LossDetail of(LostReason reason);
   /// Conditions that make any face hard to see: distance and blur. `left`: the left image; `face`: the face's
   /// box in it.
   std::optional<LossDetail> circumstance(const Eigen::Isometry3d& pose, const ImagePyramid& left,
                                          const cv::Rect& face, const HeadMotion& last,
                                          Timestamp captured) const;
-  /// Whether the head may be too far away. A head that was near a moment ago is not: such a fit has matched
-  /// another object, a hand.
+  /// True if the head may be too far away. A head that was near a moment ago is not: such a fit has matched
+  /// another object, such as a hand.
   bool isFar(const Eigen::Isometry3d& pose, const HeadMotion& last, Timestamp captured) const;
 
  private:

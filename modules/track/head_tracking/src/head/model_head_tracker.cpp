@@ -1,8 +1,8 @@
 // "model": the default head tracker. Hundreds of skin patches give the pose in each frame (patch_track.h).
-// This file decides what the answers of the parallel recovery (recovery/lost_face.h) mean for the pose: a
-// lost face was found again, a tracked face was checked, or no pose may be shown. The face detector runs at
-// start only: a cascade takes tens of milliseconds, while the search by the face's own images
-// (coarse_search.h) finds it within a few frames of a few milliseconds each.
+// This file applies the answers of the parallel recovery (recovery/lost_face.h) to the pose: a lost face was
+// found again, a tracked face was checked, or no pose may be shown. The face detector runs at start only: a
+// cascade takes tens of milliseconds, while the search by the face's own images (coarse_search.h) finds it
+// within a few frames of a few milliseconds each.
 
 #include "facenav/face/stereo_face.h"
 #include "facenav/head_tracking/head_tracker.h"
@@ -15,8 +15,8 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kCortexDepth_mm = 80.0;  // from the face to the brain, whose motion matters
-// Age of an answer about a lost face. Up to kFresh_s its identity holds for the face that is there now. An
+constexpr double kCortexDepth_mm = 80.0;  // from the face to the brain, where motion is measured
+// Age limits of an answer about a lost face. Up to kFresh_s its identity is valid for the present face. An
 // older one (slow machine) gives pose and key frame to start from, and the skin's identity is checked again.
 constexpr double kFresh_s = 0.35, kOldest_s = 2.5;
 
@@ -100,8 +100,8 @@ class ModelHeadTracker : public HeadTracker {
     shown_.reset();
   }
 
-  // The prediction failed. An answer about an earlier frame comes first, then the search within the frame. If
-  // that fails, recovery is started in parallel.
+  // Finds the head after the prediction has failed: from an answer about an earlier frame, then by the search
+  // within the frame. If that fails, recovery is started in parallel.
   Tracked<HeadPose> recover(const cameras::StereoFrame& frame,
                             const std::optional<Eigen::Isometry3d>& expected) {
     if (const auto found = lost_face_->take(frame.captured))
@@ -140,7 +140,7 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // Pace::patient: the answer about this frame. `result`: what the patches found in it.
+  // Applies the answer about this frame (Pace::patient). `result`: of the patches in this frame.
   Tracked<HeadPose> answeredAtOnce(const LostFace::Found& found, const cameras::StereoFrame& frame,
                                    const Tracked<HeadPose>& result) {
     if (!result || found.is_out_of_step || found.moment) return answerOf(found, frame).value_or(result);
@@ -152,11 +152,10 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // The result of an answer about a lost face for this frame; empty where it decides nothing or is too old.
+  // Applies an answer about a lost face to this frame. Returns nothing if it is undecided or too old.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const cameras::StereoFrame& frame) {
     if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
-    // Not from patches_.motion(): it keeps the patches' own pose of an unconfirmed return, which was not
-    // shown.
+    // Not from patches_.motion(): it is the patches' own pose of an unconfirmed return, which was not shown.
     const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
     doubt_.hear(found, frame.captured);
@@ -165,7 +164,7 @@ class ModelHeadTracker : public HeadTracker {
     return continueFrom(found, frame);
   }
 
-  // For a tracked face only evidence against it counts, and its new key frames after a return.
+  // Applies an answer about a tracked face: only evidence against it, and its new key frames after a return.
   std::optional<Tracked<HeadPose>> answerOfCheck(const cameras::StereoFrame& frame) {
     if (!check_.isAwaited()) return std::nullopt;
     const auto found = lost_face_->take(frame.captured);
@@ -196,13 +195,13 @@ class ModelHeadTracker : public HeadTracker {
     check_.asked(frame.captured);
   }
 
-  // From here on no pose of the patches is shown until an answer confirms the face.
+  // Withholds the patches' poses from here on, until an answer confirms the face.
   Tracked<HeadPose> doubted(const PatchDoubt::Fault& fault, Timestamp now) {
     doubt_.start(fault, now);
     return lost(fault.reason, fault.detail);
   }
 
-  // From a pose that recovery found some frames ago.
+  // Continues from a pose that recovery found some frames ago.
   Tracked<HeadPose> continueFrom(const LostFace::Found& found, const cameras::StereoFrame& frame) {
     const bool is_fresh = std::abs(frame.captured - found.captured) < kFresh_s;
     const auto result = patches_.continueFrom(found.camera_T_head, found.moment, is_fresh, frame);
@@ -210,7 +209,7 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // Images without new information: the track continues with the next good ones.
+  // Refuses images without new information. The track continues with the next good ones.
   Tracked<HeadPose> refused(LostReason fault) {
     patches_.setDetail(guard_.detail());
     return Lost{fault};
@@ -223,9 +222,9 @@ class ModelHeadTracker : public HeadTracker {
 
   std::shared_ptr<const face::FaceDetector> detector_;
   PatchTrack patches_;
-  int left_out_ = 0;  // of this frame's work, reserved for another tracker
+  int left_out_ = 0;  // work of this frame reserved for another tracker
   FrameGuard guard_;
-  std::optional<Timestamp> shown_;  // the last frame whose pose was given
+  std::optional<Timestamp> shown_;  // the last frame whose pose was returned
   Pace pace_ = Pace::as_live;
   double beside_ms_ = 0.0;
   FaceCheck check_;

@@ -8,10 +8,10 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kSharedError_px = 0.03;  // error common to the disparities: shape, glints
-constexpr double kSharedFor_s = 0.1;      // frames closer together have it in common
+constexpr double kSharedFor_s = 0.1;      // frames closer together share it
 constexpr double kDrift_s2_per_s = 4e-8;  // two free clocks: 0.2 ms in a second
 constexpr double kContradiction = 4.0;    // standard deviations
-constexpr int kBelieved = 20;             // contradictions in a row that mean: the offset has jumped
+constexpr int kBelieved = 20;             // consecutive contradictions after which the offset has jumped
 constexpr int kFewestPatches = 30;
 constexpr double kCertain = 2.0;  // standard deviations
 
@@ -71,7 +71,7 @@ double OffsetFilter::late_s() const {
 }
 
 void OffsetFilter::state(double late_s) {
-  constexpr double kSmooth = 0.05;  // of a frame: stamps jitter by a millisecond, clocks drift by far less
+  constexpr double kSmooth = 0.05;  // weight of a frame: stamps jitter by 1 ms, clocks drift by far less
   if (is_statement_wrong_) return;
   if (!stated_s_) {
     stated_s_ = offset_s_ = late_s;

@@ -3,15 +3,15 @@
 // may be up to half a frame apart. A head at 100 mm/s then appears 1.6 mm displaced in the right image, and a
 // fit of one pose to both images takes this for depth and rotation. The offset is learnt from the moving
 // head: from the displacements that the fit leaves in the right image along the head's velocity, with the
-// pose free. A displacement that a change of pose also explains carries no information; vertical motion, and
-// depth against size, carry most.
+// pose free. A displacement that a change of pose also explains contains no information; vertical motion, and
+// depth against size, contain most.
 //
-// Where the cameras' drivers state the delay by their time stamps, the filter starts there, and moves with
-// what they state. Where the moving head contradicts them for long, they are no longer believed.
+// If the cameras' drivers give the delay by their time stamps, the filter starts there and follows them,
+// until the moving head contradicts them for long.
 //
-// A scalar Kalman filter. The variance of a frame's measurement has its noise and an error of the patches'
-// disparities, common to all patches and to the frames of a tenth of a second. So slow motion, where that
-// error looks like delay, has almost no weight. While the offset is uncertain it is drawn to zero
+// A scalar Kalman filter. The variance of a frame's measurement consists of its noise and an error of the
+// patches' disparities, common to all patches and to the frames of a tenth of a second. So slow motion, where
+// that error looks like delay, has almost no weight. While the offset is uncertain it is drawn to zero
 // (synchronous cameras).
 
 #include <optional>
@@ -24,7 +24,7 @@ namespace facenav::head_tracking {
 class OffsetFilter {
  public:
   void reset() { *this = {}; }
-  /// The delay of this frame by the drivers' time stamps, s. Call before add().
+  /// Sets the delay of this frame by the drivers' time stamps, s. Call before add().
   void state(double late_s);
   /// The offset to correct for, s; 0 unless it is known to differ from 0.
   double late_s() const;
@@ -41,11 +41,12 @@ class OffsetFilter {
  private:
   double offset_s_ = 0.0, variance_s2_ = kPrior_s * kPrior_s;
   Vector6d by_offset_ = Vector6d::Zero();  // d(pose) / d(offset), per s
-  int contradicted_ = 0;                   // frames in a row
-  std::optional<double> stated_s_;         // smoothed; nothing: not stated
+  int contradicted_ = 0;                   // consecutive contradictions
+  std::optional<double> stated_s_;         // smoothed; empty without time stamps
   bool is_statement_wrong_ = false;
   double prior_s() const { return stated_s_ ? kStated_s : kPrior_s; }
-  // Free cameras: a quarter of a frame's time. Stated: start of exposure and arrival differ between makes.
+  // Standard deviations of the prior. Free cameras: a quarter of a frame's time. With time stamps: start of
+  // exposure and arrival differ between makes.
   static constexpr double kPrior_s = 0.008, kStated_s = 0.002;
 };
 

@@ -84,7 +84,7 @@ CostVolume makeCosts(const cameras::StereoRig& rig, const cameras::StereoFrame& 
     for (int y = 0; y < volume.rows; ++y)
       for (int x = 0; x < volume.columns; ++x) {
         const int u = x * kNodeStep_px, v = y * kNodeStep_px;
-        // Noise is added to the variances: flat skin then has a shallow cost and follows its neighbours.
+        // Adds noise to the variances, so that flat skin has a shallow cost and follows its neighbours.
         const float scale =
             std::sqrt((std::max(0.f, left_variance(v, u)) + 4.f) * (std::max(0.f, variance(v, u)) + 4.f));
         volume.at(volume.cost, x, y)[d] = 1.f - std::clamp(both(v, u) / scale, 0.f, 1.f);

@@ -13,13 +13,13 @@ using patch::kSamples;
 using patch::kSide;
 
 constexpr double kSamplingError_px = 0.05;  // error from sampling and from each view's own shading
-constexpr double kUsualShading = 0.1;       // change of light that the filters are made for
+constexpr double kUsualShading = 0.1;       // change of light that the filters are designed for
 constexpr double kWorstSigma_px = 0.5;  // patches with a larger error in their best direction are left out
 constexpr double kShadingSmooth_px = 2.0;
 constexpr double kLeastDepthError_mm = 0.2;  // of the smoothed cloud on smooth, frontal skin
 constexpr double kSurfaceReach_px = 5.5;     // margin round the patch for the surface fitted under it
 constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal per mm of roughness, over half a patch
-constexpr double kLeastFacing = 0.30;        // cosine of view against normal
+constexpr double kLeastFacing = 0.30;        // cosine between view and normal
 
 // Grey value and its derivatives along x and y (differences over two pixels) by Catmull-Rom's bicubic kernel.
 // All three share the same six row sums.
@@ -28,7 +28,7 @@ struct Sample {
 };
 
 struct Taps {
-  std::array<float, 6> value{}, slope{};  // of the pixels -2 .. 3
+  std::array<float, 6> value{}, slope{};  // at the pixels -2 .. 3
 
   explicit Taps(float t) {
     const std::array<float, 4> w = {0.5f * (-t + 2 * t * t - t * t * t),
@@ -118,7 +118,8 @@ std::vector<float> correlated(const std::vector<float>& pattern, const Square& c
   return result;
 }
 
-// Response of the filters in `appearance` to noise, shading and light; `whole`: the derivatives themselves.
+// Computes the response of the filters in `appearance` to noise, shading and light; `whole`: the derivatives
+// themselves.
 void weigh(PatchAppearance& appearance, const std::array<std::vector<float>, 2>& whole,
            const std::array<std::vector<float>, 2>& ramps, int level, double noise_grey) {
   const std::array<const std::vector<float>*, 2> d = {&appearance.d_u, &appearance.d_v};
@@ -133,7 +134,7 @@ void weigh(PatchAppearance& appearance, const std::array<std::vector<float>, 2>&
       appearance.view.ramp(a, b) = dot(*d[a], ramps[b]);
     }
   }
-  // Damped, so that flat skin shows no motion instead of a random one.
+  // Damped, so that flat skin gives no motion instead of a random one.
   const double least = 1e-3 * structure.trace() + 1e-6;
   const Eigen::Matrix2d inverse = (structure + least * Eigen::Matrix2d::Identity()).inverse();
   const double variance = 2.0 * noise_grey * noise_grey;  // noise of the key frame and of the current one

@@ -16,10 +16,10 @@ namespace facenav::head_tracking {
 /// Points of a patch on the skin, row by row, one level pixel apart in the left key image.
 struct PatchPoints {
   std::vector<Eigen::Vector3d> points_mm;  // Head
-  Eigen::Vector3d centre_mm, normal;       // normal: towards the camera
+  Eigen::Vector3d centre_mm, normal;       // normal towards the camera
   Eigen::Vector3d right_mm, down_mm;       // along the skin, per pixel of the level
-  double depth_sigma_mm = 0.0;             // of the patch's depth: what its surface does not explain
-  double normal_spread_rad = 0.0;          // of the skin's normals within the patch
+  double depth_sigma_mm = 0.0;     // the part of the patch's depth error that its surface does not explain
+  double normal_spread_rad = 0.0;  // spread of the skin's normals within the patch
 };
 
 struct PatchAppearance {
@@ -27,13 +27,14 @@ struct PatchAppearance {
   std::vector<float> grey, d_u, d_v;
 };
 
-/// Nothing when the surface is not known over the whole patch. `centre_px`: pixels of the level.
+/// Points of a patch. Returns nothing if the surface is not known over the whole patch. `centre_px`: pixels
+/// of the level.
 std::optional<PatchPoints> pointsOf(const cameras::StereoRig& rig, const FaceSurface& surface,
                                     const Eigen::Vector2d& centre_px, int level);
 
 /// `image`: the level, or the needed part of it; `noise_grey`: of the sensor; `camera_T_head`: at the key
-/// frame. Not usable when the patch leaves the image, is seen at a grazing angle, or has too large an error
-/// of displacement.
+/// frame. Unusable if the patch leaves the image, is seen at a grazing angle, or has too large an error of
+/// displacement.
 PatchAppearance appearanceOf(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_head,
                              const BlurredImage& image, const PatchPoints& points, int level,
                              double noise_grey);
@@ -46,7 +47,7 @@ void addJacobian(const cameras::CameraModel& camera, const Eigen::Isometry3d& ca
 
 /// Standard deviation of the sensor's noise in an 8-bit image (Immerkaer 1996, in the flattest blocks).
 double noiseOf(const cv::Mat& grey);
-/// The same in the level before its last blur: input of appearanceOf().
+/// Standard deviation of the noise in the level before its last blur: input of appearanceOf().
 double noiseBeforeBlur(double noise_grey, int level);
 /// Variance of the noise in a blurred image, relative to the sensor's, at one pixel of the level.
 double noiseShare(int level);

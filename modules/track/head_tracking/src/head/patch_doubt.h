@@ -1,7 +1,7 @@
 #pragma once
-// PatchDoubt: whether a pose found by the patches may be shown. After another person's face, after images out
-// of step, or after a return with a different appearance it may not, until recovery (lost_face.h) confirms
-// that the face is the patient's and the images are in step.
+// PatchDoubt: withholds poses of the patches after another person's face, after images out of step, or after
+// a return with a different appearance, until recovery (lost_face.h) confirms that the face is the patient's
+// and the images are in step.
 
 #include <cmath>
 #include <optional>
@@ -24,7 +24,8 @@ class PatchDoubt {
   void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now; }
   void clear() { fault_.reset(), other_seen_.reset(); }
 
-  /// Without an answer a doubt ends after some seconds; the patches' own identity check continues.
+  /// The present fault. It ends after some seconds without an answer; the patches' own identity check
+  /// continues.
   std::optional<Fault> at(Timestamp now) {
     if (fault_ && std::abs(now - since_) > kLongest_s) fault_.reset();
     return fault_;
@@ -38,7 +39,7 @@ class PatchDoubt {
     if (answer.is_patient || (is_of_return && says_nothing)) fault_.reset();
   }
 
-  /// Another person's face was seen a moment ago.
+  /// True if another person's face was seen a moment ago.
   bool wasOtherSeen(Timestamp now) const {
     return other_seen_ && std::abs(now - *other_seen_) < kOtherSeen_s;
   }

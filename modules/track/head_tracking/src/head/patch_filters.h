@@ -4,7 +4,7 @@
 // stays with the lamps while the skin turns (a highlight on dark or moist skin, the light on a dent). Here a
 // difference may also be sensor noise or shading: smooth over the patch, and stronger where the skin is
 // curved. Smooth differences then have little weight, and the fine marks on the skin determine the motion.
-// Computed once per key frame: tracking costs the same.
+// Computed once per key frame, so tracking costs the same.
 
 #include <Eigen/Core>
 #include <array>

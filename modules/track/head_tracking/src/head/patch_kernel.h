@@ -10,7 +10,7 @@ namespace facenav::head_tracking::patch {
 constexpr int kSide = 8, kSamples = kSide * kSide;  // a multiple of 8: whole SIMD registers
 
 struct Image {
-  const std::uint16_t* pixels = nullptr;  // BlurredImage
+  const std::uint16_t* pixels = nullptr;  // as in BlurredImage
   int stride = 0;                         // in pixels
   int left = 0, top = 0, width = 0, height = 0;
 };
@@ -39,7 +39,7 @@ using Kernel = void (*)(const Image& image, const Samples& samples, const float 
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// Returns the fastest version for this processor.
 Kernel kernel();
 
 }  // namespace facenav::head_tracking::patch

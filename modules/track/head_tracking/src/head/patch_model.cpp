@@ -16,18 +16,18 @@ using patch::kSide;
 
 struct LevelPlan {
   int cell_px;       // at most one patch per cell, pixels of the level
-  std::size_t most;  // patches
+  std::size_t most;  // number of patches
 };
 constexpr LevelPlan kPlan[kLevels] = {{8, 240}, {7, 110}, {5, 60}, {4, 30}};
 constexpr int kRegionColumns = 5, kRegionRows = 6;  // parts of the face whose errors are treated as one
-constexpr double kUsualTurn_rad = 0.25;             // of the head, for the choice of patches
+constexpr double kUsualTurn_rad = 0.25;             // turn of the head for which patches are chosen
 constexpr double kFlatShading =
     0.02;  // shading left in a patch of flat skin, relative to the change of light
 constexpr double kLightReach_px = 34.0;  // distance over which light changes evenly
 constexpr std::size_t kMostNeighbours = 20, kLeastNeighbours = 6;
 
 struct Candidate {
-  Eigen::Vector2d px;  // of the level
+  Eigen::Vector2d px;  // in pixels of the level
   double rigidity = 1.0;
   PatchPoints points;
   std::array<PatchAppearance, 2> appearance_now;
@@ -133,7 +133,8 @@ std::vector<std::size_t> mostInformative(const std::vector<Candidate>& all, std:
     const Matrix6d covariance = inverseOf(information);
     std::size_t best = all.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
-      // Gains only decrease as patches are added (submodular): skip patches whose old gain is below the best.
+      // Gains only decrease as patches are added (submodular), so patches whose old gain is below the best
+      // are skipped.
       if (is_taken[i] || (best < all.size() && gain[i] <= gain[best])) continue;
       const Eigen::Matrix4d more = Eigen::Matrix4d::Identity() + roots[i] * covariance * roots[i].transpose();
       gain[i] = more.determinant();

@@ -25,8 +25,8 @@ namespace facenav::head_tracking {
 /// A patch as one camera saw it in the key frame. Displacements are in pixels of the level in the key frame.
 struct PatchView {
   bool is_usable = false;
-  Eigen::Vector2d px = Eigen::Vector2d::Zero();                 // of the centre, full resolution
-  Eigen::Matrix2d structure_inverse = Eigen::Matrix2d::Zero();  // of the sum of derivative products
+  Eigen::Vector2d px = Eigen::Vector2d::Zero();                 // place of the centre, full resolution
+  Eigen::Matrix2d structure_inverse = Eigen::Matrix2d::Zero();  // inverse of the sum of derivative products
   Eigen::Matrix2d covariance =
       Eigen::Matrix2d::Zero();  // of the displacement: noise and sampling, independent in each camera
   Eigen::Matrix2d shading =
@@ -63,7 +63,7 @@ struct PatchLevel {
 
 using PatchLevels = std::array<PatchLevel, kLevels>;
 
-/// A patch near another one; over all of them light is assumed to change evenly.
+/// A neighbouring patch; light is assumed to change evenly over all of them.
 struct Neighbour {
   int patch = 0;
   float right_px = 0.f, down_px = 0.f;  // in the left key image
@@ -73,11 +73,11 @@ struct PatchModel {
   Eigen::Vector3d centre_mm =
       Eigen::Vector3d::Zero();  // of the patches, Head: centre of rotation of the increments
   PatchLevels level;
-  std::vector<std::vector<Neighbour>> neighbours;  // of the patches of level 0
+  std::vector<std::vector<Neighbour>> neighbours;  // per patch of level 0
   int regions = 1;
   double noise_grey = 1.5;  // of the sensor, measured in the key frame
   double variance_factor =
-      1.0;  // factor on a pose's variance: 4 where the depth comes from the plain pair (measured)
+      1.0;  // factor on a pose's variance; 4 (measured) if the depth comes from the plain pair
 };
 
 /// Shading that gain, offset and ramps leave in a patch, relative to its grey level. `light_change`: relative

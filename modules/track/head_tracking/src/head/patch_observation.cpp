@@ -17,7 +17,7 @@ Eigen::Matrix2d alongSkin(const Patch& patch, int c) {
   return patch.view[std::size_t(c)].jacobian.rightCols<3>() * tangents;
 }
 
-// Half of an error belongs to the key frame; the other half grows where the view is foreshortened.
+// One half of an error belongs to the key frame; the other half grows if the view is foreshortened.
 Eigen::Matrix2d grown(const Eigen::Matrix2d& error, const Eigen::Matrix2d& key_from_now) {
   return 0.5 * (error + key_from_now * error * key_from_now.transpose());
 }
@@ -28,7 +28,7 @@ Eigen::Matrix2d commonError(const Patch& patch, int c, const PatchChange& change
          shading * shading * patch.view[std::size_t(c)].shading;
 }
 
-// An error of a patch's depth has an effect when the view turns away from the key frame's.
+// Effect of an error of the patch's depth, which grows as the view turns away from the key frame's.
 Eigen::Vector2d shownDepth_px(const Patch& patch, int c, const PatchChange& change) {
   const PatchView& view = patch.view[std::size_t(c)];
   return patch.depth_sigma_mm * view.jacobian.rightCols<3>() * (view.ray - change.ray[std::size_t(c)]);

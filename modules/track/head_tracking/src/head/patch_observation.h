@@ -1,9 +1,9 @@
 #pragma once
-// The information in the displacements of one patch about the pose. There are two kinds of errors. Errors of
-// shape, and light that stays with the lamps while the skin turns, displace the patch in both images alike
-// (in the room, three to five times as much as everything else). Noise and sampling are independent in each
-// image. So the two displacements are converted to their mean, which contains the common error, and their
-// difference (the change of the patch's disparity), which is free of it. Together they contain all the
+// PatchObservation: information of one patch's displacements about the pose. There are two kinds of errors.
+// Errors of shape, and light that stays with the lamps while the skin turns, displace the patch in both
+// images alike; they are three to five times as large as all others. Noise and sampling are independent in
+// each image. So the two displacements are converted to their mean, which contains the common error, and
+// their difference (the change of the patch's disparity), which is free of it. Together they contain all the
 // information of both under this error model (generalised least squares). Light has no effect on the
 // difference: it determines depth and rotation on skin with moving shading.
 

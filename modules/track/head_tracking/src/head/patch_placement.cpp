@@ -35,7 +35,7 @@ Placed place(const PatchLevel& level, const cameras::CameraModel& camera, int in
     Eigen::Matrix<double, 2, 3> d_p;
     const Eigen::Vector2d px = cameras::project(camera, centre_mm, d_p);
     const Eigen::Matrix2d d = scale * centre_mm.z() * d_p.leftCols<2>();
-    Eigen::Matrix2d now_from_key;  // in the left key image's pixels
+    Eigen::Matrix2d now_from_key;  // in pixels of the left key image
     now_from_key << scale * d_p * (camera_T_head.linear() * patch.right_mm),
         scale * d_p * (camera_T_head.linear() * patch.down_mm);
     if (std::abs(now_from_key.determinant()) < kLeastArea) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Where the patches lie in an image at a pose: input of the patch kernel (patch_kernel.h).
+// Places of the patches in an image at a pose: input of the patch kernel (patch_kernel.h).
 
 #include "patch_model.h"
 

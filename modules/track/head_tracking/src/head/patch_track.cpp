@@ -13,14 +13,14 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kReach_mm = 150.0;    // of a sudden motion of the head, besides walking
-constexpr double kGettingThere = 0.8;  // likeness of an unsettled fit that is continued in the next frame
-constexpr int kLearnBelow_comparisons = 3400;  // at patches, in a frame
-constexpr std::size_t kAskedParts = 8;         // of the patches; the identity check takes one part per frame
+constexpr double kGettingThere = 0.8;  // likeness from which an unsettled fit is continued in the next frame
+constexpr int kLearnBelow_comparisons = 3400;  // largest work at patches in a frame that also learns
+constexpr std::size_t kAskedParts = 8;         // parts of the patches; the identity check takes one per frame
 constexpr int kLastingEvery = 20;  // tracked frames between two tries of the key frames from before a loss
-constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * kRadPerDeg;  // between two kinds of key frames
-constexpr double kAsExpected = 2.0;  // residuals per expected sigma on skin that has not moved
+constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * kRadPerDeg;  // between two key frames' poses
+constexpr double kAsExpected = 2.0;  // residuals relative to their expected sigma, on skin that has not moved
 constexpr double kFirstFrame_s = 0.03;
-constexpr int kMargin_px = 20;  // about the patches' centres: half a patch, and the motion left to find
+constexpr int kMargin_px = 20;  // around the patches' centres: half a patch, and the remaining motion
 
 std::vector<FaceFeature> featuresOf(const PoseFit& fit) {
   std::vector<FaceFeature> features;
@@ -70,7 +70,7 @@ void PatchTrack::forgetLearnt() {
 }
 
 void PatchTrack::beginFrame(int reserved) {
-  // Not in two consecutive frames: the search for a lost head needs work too.
+  // Not in two consecutive frames, since the search for a lost head needs work too.
   const bool has_just_left = work_.left_out > 0;
   work_ = {}, work_.left_out = has_just_left ? 0 : reserved;
 }
@@ -123,7 +123,7 @@ std::array<ImagePyramid, 2> PatchTrack::boxed(const cameras::StereoFrame& frame,
   return now;
 }
 
-// Detects another person who took the patient's place between two frames. Each frame checks a part of the
+// True if another person took the patient's place between two frames. Each frame checks a part of the
 // patches, and all of them if that part is not clearly the patient's.
 bool PatchTrack::isOtherPerson(const KeyFrame& key, const std::array<ImagePyramid, 2>& now,
                                const PoseFit& fit) {
@@ -158,8 +158,8 @@ Tracked<HeadPose> PatchTrack::continueFrom(const Eigen::Isometry3d& camera_T_hea
   return accepted(frame, there.fit, there.verdict);
 }
 
-// The head is tracked by a key frame of the moment when it was found again. If the patches from before the
-// loss fit too, they are preferred: they have no additional error to the reference.
+// Tries the patches from before the loss while the head is tracked by a temporary key frame. If they fit too,
+// they are preferred: they have no additional error to the reference.
 std::optional<Tracked<HeadPose>> PatchTrack::asBeforeTheLoss(const cameras::StereoFrame& frame,
                                                              const std::array<ImagePyramid, 2>& now,
                                                              const PoseFit& by_moment) {
@@ -186,7 +186,7 @@ Tracked<HeadPose> PatchTrack::search(const cameras::StereoFrame& frame,
   return result;
 }
 
-// The result of the search is fitted to the end. It is shown only if the skin is the patient's.
+// Fits the result of the search to the end. It is shown only if the skin is the patient's.
 Tracked<HeadPose> PatchTrack::searchInFrame(const cameras::StereoFrame& frame,
                                             const std::optional<Eigen::Isometry3d>& expected) {
   if (!work_.leavesTimeToSearch()) return lost(first_loss_->reason, wordOfFirst(frame.captured));
@@ -224,14 +224,14 @@ PatchTrack::Attempt PatchTrack::attempt(const cameras::StereoFrame& frame,
   return {std::move(fit), std::move(verdict)};
 }
 
-// The functions from here up to wordOfFirst() only find the loss detail; they do not change the track.
+// The functions from here to wordOfFirst() only find the loss detail; they do not change the track.
 LossDetail PatchTrack::detailOf(const Attempt& there, const std::array<ImagePyramid, 2>& now,
                                 Timestamp captured) const {
   return words_.circumstance(there.fit.motion, now[0], left_box_, last_, captured)
       .value_or(LossWords::of(*there.verdict.lost));
 }
 
-// While a fit waits for the next frame: the detail of this frame so far, or the one given before.
+// Loss detail while a fit waits for the next frame: of this frame so far, or the previous one.
 LossDetail PatchTrack::wordWithoutFit(const FaceSearch::Found& found) const {
   if (!found.is_deferred) return found.is_anything_alike ? LossDetail::doubtful : LossDetail::not_found;
   if (first_loss_) return LossWords::of(first_loss_->reason);
@@ -252,7 +252,7 @@ Tracked<HeadPose> PatchTrack::lost(LostReason reason, LossDetail detail) {
   return Lost{reason};
 }
 
-// Not in a frame with a search: it has used enough work.
+// Learns sides, but not in a frame with a search, which has used enough work.
 void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
   if (work_.comparisons > kLearnBelow_comparisons) return;
   const KeyMotion moving = camera_.motionOf(last_.steadyWith(fit.motion, frame.captured));
@@ -260,7 +260,8 @@ void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fi
     search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
 }
 
-// From the head's frame to the right camera's. A head that moves between two exposures looks like it.
+// Converts the observation from the head's frame to the right camera's. Motion of the head between two
+// exposures looks like motion of the camera.
 std::optional<health::RightPoseObservation> PatchTrack::rightCamera(const PoseFit& fit,
                                                                     const Verdict& verdict) const {
   if (!fit.sides) return std::nullopt;

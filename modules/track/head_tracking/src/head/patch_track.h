@@ -2,7 +2,7 @@
 // PatchTrack: the head's pose from its skin patches, frame by frame. They are fitted jointly in both images
 // (pose_fit.h), starting from a constant-velocity prediction, always against the reference or a key frame
 // made from it (key_frames.h), so there is no drift. If that fails, the frame is searched (face_search.h). A
-// pose is given only if it passes the tests of track_verdict.h and the skin is the patient's. Work in
+// pose is returned only if it passes the tests of track_verdict.h and the skin is the patient's. Work in
 // parallel with the frames belongs to the tracker (model_head_tracker.cpp).
 
 #include <array>
@@ -26,30 +26,29 @@ class PatchTrack {
   PatchTrack& operator=(const PatchTrack&) = delete;
 
   /// Learns the patches. `face_box`: the face in the left reference image. Throws Error if the reference
-  /// holds too few patches.
+  /// shows too few patches.
   void start(const cameras::StereoRig& rig, const HeadReference& reference, const FaceRegion& region,
              const FaceSurface& surface, const cv::Rect& face_box);
-  /// What was learnt since start() is in doubt: discards it.
+  /// Discards everything learnt since start(), because it is in doubt.
   void forgetLearnt();
 
   /// Call first in each frame. `reserved`: patch comparisons to leave for another tracker.
   void beginFrame(int reserved);
-  /// The predicted pose; nullopt where the last one is unknown or too old. Call it once in each frame that
-  /// can be used.
+  /// The predicted pose; nullopt if the last one is unknown or too old. Call it once in each usable frame.
   std::optional<Eigen::Isometry3d> expectedAt(Timestamp captured);
 
   struct Followed {
     Tracked<HeadPose> pose;
     bool is_as_before_the_loss;  // the patches learnt before a loss fit again
   };
-  /// The fit from the prediction. nullopt where it does not hold; search() then gives the reason.
+  /// The fit from the prediction. nullopt if it is rejected; search() then gives the reason.
   std::optional<Followed> follow(const Eigen::Isometry3d& predicted, const cameras::StereoFrame& frame);
-  /// Searches the head in the frame, within the rest of its work budget. `was_gone`: longer than a prediction
-  /// lasts.
+  /// Searches the head in the frame, within the rest of its work budget. `was_gone`: lost for longer than a
+  /// prediction lasts.
   Tracked<HeadPose> search(const cameras::StereoFrame& frame,
                            const std::optional<Eigen::Isometry3d>& expected, bool was_gone);
   /// Continues from a pose that recovery found, with the key frame `moment` if the face looks different now.
-  /// `is_fresh`: the pose is so recent that its identity check still holds.
+  /// `is_fresh`: the pose is so recent that its identity check is still valid.
   Tracked<HeadPose> continueFrom(const Eigen::Isometry3d& camera_T_head,
                                  const std::optional<KeyFrame>& moment, bool is_fresh,
                                  const cameras::StereoFrame& frame);
@@ -57,7 +56,7 @@ class PatchTrack {
   Tracked<HeadPose> lost(LostReason reason, LossDetail detail);
 
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) { camera_.moveRight(right_T_left); }
-  /// The right camera's delay in this frame by the drivers' time stamps, s.
+  /// Sets the right camera's delay in this frame by the drivers' time stamps, s.
   void stateDelay(double late_s) { camera_.state(late_s); }
   const LateCamera& camera() const { return camera_; }
   const PatchModel& model() const { return model_; }
@@ -65,9 +64,9 @@ class PatchTrack {
   const HeadMotion& motion() const { return last_; }
   std::optional<Eigen::Isometry3d> lastPose() const;
   bool isFollowing() const { return lost_frames_ == 0; }
-  /// True: tracked by a key frame of the moment when the face was found again.
+  /// True if tracked by a temporary key frame, made when the face was found again.
   bool isOfMoment() const { return keys_.isOfMoment(); }
-  /// Whether the last accepted fit has the residuals of skin that has not moved.
+  /// True if the last accepted fit has the residuals of skin that has not moved.
   bool fitsAsExpected() const;
   const FrameWork& work() const { return work_; }
   const cv::Rect& leftBox() const { return left_box_; }
@@ -85,7 +84,7 @@ class PatchTrack {
     Verdict verdict;
   };
   struct Known {
-    bool is_patient;  // no identity check is needed
+    bool is_patient;  // the identity check is already done
     bool is_rough;    // the start is some frames old
   };
 
@@ -110,20 +109,20 @@ class PatchTrack {
 
   LateCamera camera_;
   PatchModel model_;
-  DetailAgreement both_cameras_;  // in the reference
+  DetailAgreement both_cameras_;  // agreement in the reference
   std::size_t asked_part_ = 0;
   KeyFrames keys_;
   FaceSearch search_;
-  HeadWork work_;                        // in this frame so far
-  std::optional<FirstLoss> first_loss_;  // of the fit from the prediction
+  HeadWork work_;                        // of this frame so far
+  std::optional<FirstLoss> first_loss_;  // loss of the fit from the prediction
   LossWords words_;
   LossDetail detail_ = LossDetail::unknown;
   HeadMotion last_;
   PatchWeights patch_weights_;
   cv::Rect left_box_, right_box_;
   int lost_frames_ = 0;
-  double fit_scale_ = 0.0;  // of the last fit that was accepted
-  int since_try_ = 0;       // tracked frames with a moment's key frame
+  double fit_scale_ = 0.0;  // scale of the last accepted fit
+  int since_try_ = 0;       // frames tracked by a temporary key frame
 };
 
 }  // namespace facenav::head_tracking

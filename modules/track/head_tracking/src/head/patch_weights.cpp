@@ -9,7 +9,7 @@ namespace {
 constexpr double kMemory_s = 0.7;     // time constant to notice that a patch moves by itself
 constexpr double kExpected = 4.0;     // squared distance that noise explains
 constexpr double kMostAtOnce = 50.0;  // limit for one bad frame
-constexpr double kLongest_s = 0.1;    // longest time between two frames that counts
+constexpr double kLongest_s = 0.1;    // longest time between two frames that is weighted
 
 }  // namespace
 

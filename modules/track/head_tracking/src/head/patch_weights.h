@@ -14,12 +14,12 @@ class PatchWeights {
 
   /// Weight in (0, 1] of each patch of the finest level.
   std::vector<float> weights() const;
-  /// Adds a tracked frame, `since_s` after the one before.
+  /// Adds a tracked frame, `since_s` after the previous one.
   void learn(const PoseFit& fit, double since_s);
   void forget() { wander_.assign(wander_.size(), 0.0); }
 
  private:
-  std::vector<double> wander_;  // mean squared distance beyond the expected
+  std::vector<double> wander_;  // mean squared distance beyond the expected one
 };
 
 }  // namespace facenav::head_tracking

@@ -17,15 +17,14 @@ constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (H
 constexpr float kLongestStep_px = 2.5f;  // at a larger displacement a patch's linearisation is invalid
 constexpr double kUnsettled_px = 0.1;    // motion in the last step above which the fit has not converged
 // Steps on the finest level after which a fit is stopped: with too small a likeness, or with more but not
-// converging. The likeness hardly changes over the steps. The patient's face, three tenths of it occluded,
-// had at least 0.7 in its first step and converged to 0.1 px in two. Other faces had 0.1 to 0.74 and took
-// eight steps or more.
+// converging. The likeness hardly changes over the steps. A patient's face converges in two steps, other
+// faces take eight or more.
 constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
 constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
 constexpr double kAstray = 0.8;
 constexpr double kPlacedFor_px = 2.0;  // motion over which the cameras' linearisation at a patch is valid
 constexpr float kLeastScale = 0.5f;
-// Factor on errors common to both cameras: neighbouring patches have them in common (one light, one shape).
+// Factor on errors common to both cameras, which neighbouring patches share (one light, one shape).
 constexpr float kSharedError = 1.6f;
 constexpr float kPairRatio = 0.4f;                  // above it both cameras see the patch about equally well
 constexpr int kIterations[kLevels] = {0, 5, 5, 6};  // finest level: set by the caller
@@ -82,7 +81,7 @@ class LevelFit {
     seen_.markCentres(fit.motion);
     PatchMeasurements& all = seen_.measurements();
     fit.scale = std::max(scale_[0], scale_[1]);
-    for (float& scale : scale_) scale = std::max(1.f, scale);  // no smaller than the known errors
+    for (float& scale : scale_) scale = std::max(1.f, scale);  // at least the known errors
     fit.information = information();
     const Eigen::Matrix<float, 6, 1> step = last_step.cast<float>();
     std::vector<Vector6d> pulls(model_.regions, Vector6d::Zero());

@@ -1,9 +1,9 @@
 #pragma once
-// The head's pose from the patches: minimises the displacements of all patches in both images at once, over 6
-// degrees of freedom, without triangulated points. A patch counts with its mean over the cameras and its
-// change of disparity, each with its own errors (patch_observation.h); the frame itself shows how large the
-// errors of each kind are. Iteratively reweighted: Tukey's biweight on the displacement in its own standard
-// deviations, times the weight of the patch. Changes of light over the face, measured by a patch's
+// PoseFit: the head's pose from the patches. Minimises the displacements of all patches in both images at
+// once, over 6 degrees of freedom, without triangulated points. A patch contributes its mean over the cameras
+// and its change of disparity, each with its own errors (patch_observation.h); the frame itself shows how
+// large the errors of each kind are. Iteratively reweighted: Tukey's biweight on the displacement in its own
+// standard deviations, times the weight of the patch. Changes of light over the face, measured by a patch's
 // neighbours, are subtracted (light_field.h).
 
 #include <array>
@@ -19,13 +19,13 @@ namespace facenav::head_tracking {
 struct PatchMeasurement {
   bool is_visible = false;
   Eigen::Vector2f displacement =
-      Eigen::Vector2f::Zero();                   // in level pixels of the key frame, still to explain
+      Eigen::Vector2f::Zero();                   // remaining displacement, in level pixels of the key frame
   float ncc = 0.f, expected_ncc = 0.f;           // expected: with noise alone
   float brightness = 1.f;                        // mean grey relative to the key frame's
   float weight = 0.f;                            // 0..1, after the fit
   float distance = 0.f;                          // residual, in standard deviations
   float residual_px = 0.f;                       // residual, in pixels of the level
-  Eigen::Vector2f px = Eigen::Vector2f::Zero();  // of the centre in the current image
+  Eigen::Vector2f px = Eigen::Vector2f::Zero();  // centre in the current image
   bool isGood() const {
     return is_visible && weight > 0.25f && residual_px < 1.f && ncc > 0.7f * expected_ncc;
   }
@@ -40,8 +40,8 @@ struct PoseFit {
   int regions = 0;       // regions that contribute
   double scale = 1.0;    // spread of the normalised residuals; 1 if the error model holds
   bool is_settled = false;         // the last step moved no patch by more than a fraction of a pixel
-  PatchMeasurements measurements;  // of level 0; empty when the fit ended at a coarser level
-  std::optional<SidesFit> sides;   // how the right camera stands to the left one, since the key frame
+  PatchMeasurements measurements;  // of level 0; empty if the fit ended at a coarser level
+  std::optional<SidesFit> sides;   // pose of the right camera relative to the left one, since the key frame
   int comparisons = 0;             // patch comparisons of all steps: the work
   double likeness = 0.0;           // fraction of the patches in view that look as expected, last level
 };

@@ -1,14 +1,14 @@
 #pragma once
-// The inner loops of the search for a lost face (coarse_search.h, face_template.h, skin_detail.h): light
-// evened out, a stencil laid over every place, one step of the template's fit, patches taken apart into
-// patterns. Compiled twice (facenav/core/simd.h).
+// The inner loops of the search for a lost face (coarse_search.h, face_template.h, skin_detail.h): images
+// evened against light, correlation of a stencil at every place, one step of the template's fit, patches
+// decomposed into patterns. Compiled twice (facenav/core/simd.h).
 
 #include <cstdint>
 
 namespace facenav::head_tracking::search {
 
 constexpr int kLanes = 8;    // results computed at once
-constexpr int kWindow = 11;  // pixels along each axis over which light is evened
+constexpr int kWindow = 11;  // window's side, over which light is evened
 constexpr int kRim = kWindow / 2;
 
 /// Each pixel's deviation from the mean of the window about it, divided by the root sum of squares of the
@@ -16,7 +16,7 @@ constexpr int kRim = kWindow / 2;
 /// (0, 0) is the rim's corner; `scratch`: 6 * (columns + kWindow + kLanes) values.
 struct Evening {
   const std::uint16_t* from = nullptr;
-  int from_stride = 0, columns = 0, rows = 0;  // of the result
+  int from_stride = 0, columns = 0, rows = 0;  // size of the result
   float least_contrast = 0.f, per_mean = 0.f;  // grey levels; and per mean grey
   std::int32_t* scratch = nullptr;
   float* to = nullptr;
@@ -33,12 +33,12 @@ struct Correlation {
 
 /// The grey values of one placed patch, bilinear. `count`: a multiple of kLanes.
 struct Sampling {
-  const std::uint16_t* pixels = nullptr;  // BlurredImage
+  const std::uint16_t* pixels = nullptr;  // as in BlurredImage
   int stride = 0, left = 0, top = 0, width = 0, height = 0;
   const float *x = nullptr, *y = nullptr, *z = nullptr;  // Head, mm
   int count = 0;
   float camera_T_head[12] = {0};      // rotation, row by row, then translation
-  float d[4] = {0}, offset[2] = {0};  // patch::Placement's
+  float d[4] = {0}, offset[2] = {0};  // as in patch::Placement
   float* to = nullptr;
 };
 
@@ -76,14 +76,14 @@ struct TemplateSums {
 struct Kernel {
   void (*even)(const Evening&);
   void (*correlate)(const Correlation&);
-  bool (*sample)(const Sampling&);  // false when a sample lies outside
+  bool (*sample)(const Sampling&);  // false if a sample lies outside
   void (*expand)(const Expansion&);
   TemplateSums (*sum)(const TemplateView&);
 };
 
 const Kernel& baseKernel();
 const Kernel& avx2Kernel();
-/// The fastest kernel that this processor supports.
+/// Returns the fastest version for this processor.
 const Kernel& kernel();
 
 }  // namespace facenav::head_tracking::search

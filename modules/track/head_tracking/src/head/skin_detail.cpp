@@ -14,13 +14,13 @@ namespace {
 using patch::kSamples;
 
 constexpr int kFirst = 20,
-              kBand = 34;  // patterns of the detail; smoother ones show light and what all faces share
+              kBand = 34;  // patterns of the detail; smoother ones contain light and what all faces share
 // Variance of the sensor's noise in these patterns, relative to that before the blur: bicubic sampling in the
 // key frame, bilinear now, mean over all sub-pixel places (the patterns' own unit includes sampling errors).
 constexpr float kNoiseThen = 0.29f, kNoiseNow = 0.22f;
 
 using Patches = Eigen::Matrix<float, kSamples, Eigen::Dynamic>;
-// One column per patch. Below the kBand patterns that count, the rows are zero.
+// One column per patch. The rows of patterns beyond kBand are zero.
 using Coefficients = Eigen::Matrix<float, search::Expansion::kPatterns, Eigen::Dynamic>;
 static_assert(kBand <= search::Expansion::kPatterns);
 
@@ -44,7 +44,7 @@ Coefficients coefficientsOf(const Patches& patches, Eigen::Index count) {
   return coefficients;
 }
 
-// Grey values at a placed patch's samples; false when one lies outside.
+// Grey values at a placed patch's samples; false if one lies outside.
 bool sample(const BlurredImage& image, const PatchLevel& level, const std::array<float, 12>& pose,
             const patch::Placement& at, float* grey) {
   const std::size_t first = std::size_t(at.patch) * kSamples;

@@ -7,7 +7,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr int kFewestParts = 14;  // of the face: two more than unknowns
+constexpr int kFewestParts = 14;  // parts of the face: two more than unknowns
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Matrix12d = Eigen::Matrix<double, 12, 12>;

@@ -12,11 +12,11 @@ namespace {
 constexpr int kLeastGood = 15;            // patches in each camera
 constexpr double kLeastGoodShare = 0.25;  // of the patches in view with enough contrast
 constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
-// A pose is wrong when it is off by more than 3 mm or 2 degrees. A predicted standard error up to a fifth of
-// that may be shown.
+// Largest predicted standard error of a pose that is shown: a fifth of the error of a wrong pose, 3 mm (or 2
+// degrees).
 constexpr double kWorstSigma_mm = 0.6;
 constexpr double kWorstSigma_rad = 0.4 * kRadPerDeg;
-constexpr double kMomentFactor = 5.0 / 3.0;  // a third of it when the face was found again
+constexpr double kMomentFactor = 5.0 / 3.0;  // factor for a face found again: a third of 3 mm
 constexpr double kCortexDepth_mm = 90.0;     // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;
 

@@ -1,8 +1,8 @@
 #pragma once
-// FaceCheck: when a tracked face is checked by recovery, in parallel with the frames (lost_face.h). First,
-// after the face returned: it may look different now, and fitting patches are not proof enough. Second, at
+// FaceCheck: when recovery checks a tracked face, in parallel with the frames (lost_face.h). First, after the
+// face returned: it may look different now, and fitting patches are not sufficient evidence. Second, at
 // intervals: are both images of one moment, is the face the patient's? A check waits until the head rests, so
-// that cameras that expose one after the other do no harm.
+// that cameras that expose one after the other have no effect.
 
 #include <cmath>
 
@@ -12,11 +12,11 @@ namespace facenav::head_tracking {
 
 class FaceCheck {
  public:
-  /// The track starts. The reference itself needs no check.
+  /// Starts with the track. The reference itself needs no check.
   void start(Timestamp now) { state_ = State::wanted, was_gone_ = true, asked_ = now; }
-  /// The face was lost and its patches track it again.
+  /// Requests a check: the face was lost and its patches track it again.
   void faceReturned() { state_ = State::wanted, was_gone_ = true; }
-  /// The face is lost, or the key frames are in doubt. A pending answer is ignored.
+  /// Ignores a pending answer, because the face is lost or the key frames are in doubt.
   void cancel() { state_ = State::none; }
 
   /// `speed_mm_s`: of the cortex.
@@ -26,11 +26,11 @@ class FaceCheck {
   }
   void asked(Timestamp now) { state_ = State::asked, asked_ = now; }
   bool isAwaited() const { return state_ == State::asked; }
-  /// The answer was undecided.
+  /// Requests another check, because the answer was undecided.
   void askAgain() { state_ = State::wanted; }
-  /// The check ends, with or without an answer.
+  /// Ends the check, with or without an answer.
   void end() { state_ = State::none; }
-  /// Whether the face had been lost before this check.
+  /// True if the face had been lost before this check.
   bool wasGone() const { return was_gone_; }
 
  private:

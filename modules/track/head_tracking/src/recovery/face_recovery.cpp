@@ -6,14 +6,14 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr std::size_t kMostRemembered = 6;  // each costs one more fit when the reference is not enough
-constexpr double kTurn_mm = 200.0;          // distance that one radian counts as: 3.5 mm a degree
+constexpr std::size_t kMostRemembered = 6;  // each costs one more fit if the reference is not enough
+constexpr double kTurn_mm = 200.0;          // distance equivalent to one radian: 3.5 mm a degree
 
-// Squared Mahalanobis distance between the poses of each camera alone. In step: 9 at most (20 pairs of one
-// real person), 24 where both images are shifted sideways by 13 px.
+// Squared Mahalanobis distance between the poses of each camera alone, above which the images are out of
+// step. Higher accepts more pairs of two moments.
 constexpr double kApart = 35.0;
 constexpr double kUneven = 0.5;      // ratio of the two cameras' shares of windows in place
-constexpr double kSideFound = 0.35;  // share of windows in place: this camera shows the patient's face
+constexpr double kSideFound = 0.35;  // least share of windows in place for the patient's face
 
 }  // namespace
 
@@ -43,7 +43,7 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   return SidesVerdict::out_of_step;
 }
 
-// The reference first; other key frames where it leaves the identity undecided.
+// Tries the reference first, then other key frames if the identity is undecided.
 RecoveredFace FaceRecovery::tryFrom(const cameras::StereoFrame& frame,
                                     const std::shared_ptr<const RecoveryPictures>& now,
                                     const Eigen::Isometry3d& start) const {
@@ -123,7 +123,7 @@ void FaceRecovery::add(const FaceKeyFrame& key) {
   add(Remembered{view, std::nullopt});
 }
 
-// When full: removes the older of the two key frames with the most similar poses.
+// Adds a key frame. When full, removes the older of the two key frames with the most similar poses.
 void FaceRecovery::add(Remembered key) {
   remembered_.push_back(std::move(key));
   if (remembered_.size() <= kMostRemembered) return;

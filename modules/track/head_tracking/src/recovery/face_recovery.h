@@ -1,10 +1,9 @@
 #pragma once
-// FaceRecovery: finds a lost face again and decides whether it is the patient's. It is slower than the
-// tracker's own search (some 0.1 s a frame) and more reliable on real skin. It searches wide windows of skin
-// instead of linearised patches. It starts from the last pose, from landmarks, and from the face's shape
-// alone. The identity check is by likelihood. It runs in parallel with the frames (core/later_answer.h). In:
-// a stereo pair and the head's last pose. Out: pose with covariance and identity, and the images it was found
-// in.
+// FaceRecovery: finds a lost face again and decides by likelihood whether it is the patient's. It is slower
+// than the tracker's own search (some 0.1 s a frame) and more reliable on real skin: it searches wide windows
+// of skin instead of linearised patches. It starts from the last pose, from landmarks, and from the face's
+// shape alone. It runs in parallel with the frames (core/later_answer.h). In: a stereo pair and the head's
+// last pose. Out: pose with covariance and identity, and the images it was found in.
 
 #include <memory>
 #include <optional>
@@ -20,10 +19,10 @@
 
 namespace facenav::head_tracking {
 
-/// Whether both images show the face at one pose.
+/// Comparison of the face's poses in both images.
 enum class SidesVerdict {
   agree,
-  out_of_step,  // the poses in the two images differ: the images are of two moments, or a camera has moved
+  out_of_step,  // the poses in the two images differ: two moments, or a moved camera
   one_camera,   // one image does not show the face
 };
 
@@ -32,7 +31,7 @@ struct RecoveredFace {
   SidesVerdict sides = SidesVerdict::agree;  // from the pose in each camera alone
   EpipolarOffset lines;                      // of the skin found in both images
   Identity identity;
-  std::shared_ptr<const RecoveryPictures> pictures;  // of the searched pair
+  std::shared_ptr<const RecoveryPictures> pictures;  // the searched pair
   bool is_face_seen = false;                         // the face detector found a face there
   std::shared_ptr<const SkinView> then;              // the key frame that the pose was fitted to
 };
@@ -44,16 +43,16 @@ class FaceRecovery {
                const FaceSurface& surface, const std::optional<face::StereoFace>& face,
                std::shared_ptr<const face::FaceDetector> detector);
 
-  /// The likeliest pose of the patient's face in the pair; empty where no start led to one. Its identity says
+  /// The likeliest pose of the patient's face in the pair; empty if no start led to one. Its identity decides
   /// whether it may be used. `last`: the head's last known pose. `is_thorough`: the face detector searches
   /// all roll angles, not only that of the reference.
   std::optional<RecoveredFace> find(const cameras::StereoFrame& frame,
                                     const std::optional<Eigen::Isometry3d>& last, bool is_thorough) const;
-  /// How the cameras stand in the frames to come. Not while find() runs.
+  /// Sets the right camera's pose for later frames. Not while find() runs.
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left) {
     rig_.right_T_left = right_T_left;
   }
-  /// A covariance of the pose, moved to increments about another point (Head, mm).
+  /// A covariance of the pose, converted to increments about another point (Head, mm).
   Matrix6d carried(const RecoveryPose& pose, const Matrix6d& covariance,
                    const Eigen::Vector3d& centre_mm) const;
   /// Adds the found face as a key frame for later searches. Not while find() runs.
@@ -62,7 +61,7 @@ class FaceRecovery {
   void add(const FaceKeyFrame& key);
   /// Key frames found in this session that depend on the reference alone, not on another key frame.
   std::vector<FaceKeyFrame> learnt() const;
-  /// All key frames but the reference are in doubt, those of earlier sessions too: removes them.
+  /// Removes all key frames but the reference, those of earlier sessions too, because they are in doubt.
   void forgetRemembered();
 
  private:
@@ -80,7 +79,7 @@ class FaceRecovery {
   FaceShape shape_;
   std::shared_ptr<const SkinView> reference_;
   std::vector<Remembered> remembered_;
-  std::vector<Eigen::Vector3d> landmarks_mm_;  // of the reference, Head; may be empty
+  std::vector<Eigen::Vector3d> landmarks_mm_;  // landmarks of the reference, Head; may be empty
   double roll_rad_ = 0.0;                      // roll of the face in the reference
   std::shared_ptr<const face::FaceDetector> detector_;
 };

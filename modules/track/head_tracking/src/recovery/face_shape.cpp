@@ -11,12 +11,12 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNodesAcross = 60.0;     // over the face's width
-constexpr double kMostMobility_mm = 1.3;  // lips and chin do not show where the skull is
+constexpr double kNodesAcross = 60.0;     // nodes over the face's width
+constexpr double kMostMobility_mm = 1.3;  // lips and chin do not show the skull's place
 constexpr double kRigid_mm = 0.6;
 constexpr double kReach_mm = 60.0;  // depth range in front of and behind the expected face
 constexpr int kCell_px = 4, kFewestNodes = 150, kIterations = 25;
-constexpr double kStereo_mm = 0.6;  // error shared by neighbours, without dots (real skin, two pairs: 1 mm)
+constexpr double kStereo_mm = 0.6;  // error shared by neighbours, without dots
 constexpr double kFreedom = 3.0;    // degrees of freedom of Student's t
 constexpr double kFarthest_mm = 12.0, kLeastFacing = 0.3, kSettled_mm = 0.01;
 
@@ -42,7 +42,7 @@ class MeasuredFace {
  private:
   std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(columns_) + std::size_t(x); }
   int columns_, rows_;
-  std::vector<Eigen::Vector4d> sum_mm_;  // sum of the points and, in w, their number
+  std::vector<Eigen::Vector4d> sum_mm_;  // sum of the points, and in w their number
 };
 
 }  // namespace

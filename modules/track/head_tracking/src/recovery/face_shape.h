@@ -29,7 +29,7 @@ class FaceShape {
   FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
             const SkinMobility& mobility);
 
-  /// Fit near `start` (some 15 degrees, 40 mm). Empty where too little was measured.
+  /// Fits near `start` (some 15 degrees, 40 mm). Returns nothing if too little was measured.
   std::optional<ShapeFit> fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                               const Eigen::Isometry3d& start) const;
 

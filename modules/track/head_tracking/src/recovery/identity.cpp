@@ -44,7 +44,7 @@ Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, con
   for (std::size_t c = 0; c < 2; ++c) identity.side_share[c] = double(in_place[c]) / std::max(1, windows[c]);
   identity.in_place_share = double(in_place[0] + in_place[1]) / identity.windows;
   const double logit = std::log((identity.in_place_share + 0.01) / (1.01 - identity.in_place_share));
-  // A share beyond the mean of its own distribution is no less evidence for it.
+  // A share beyond the mean of its own distribution must not reduce the evidence for it.
   identity.log_likelihood_ratio =
       logNormal(std::min(logit, model.identity_own_mean), model.identity_own_mean, model.identity_own_sigma) -
       logNormal(std::max(logit, model.identity_other_mean), model.identity_other_mean,

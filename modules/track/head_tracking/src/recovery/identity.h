@@ -17,17 +17,17 @@ namespace facenav::head_tracking {
 struct Identity {
   std::array<double, 2> side_share = {0, 0};  // share of windows in place in each camera alone
   double in_place_share = 0.0;                // 0..1, share of the windows in view that are in place
-  int windows = 0;                            // number in view
-  std::optional<double> shape_rms_mm;         // robust; empty where the shape was not measured
+  int windows = 0;                            // number of windows in view
+  std::optional<double> shape_rms_mm;         // robust; empty if the shape was not measured
   double log_likelihood_ratio = 0.0;          // patient to other person, natural logarithm
 
   enum class Verdict { patient, other, undecided };
   Verdict verdict() const;
-  /// Whether enough windows are in view for a decision.
+  /// True if enough windows are in view for a decision.
   bool isAnswered() const;
 };
 
-/// For a pose from fitRecoveryPose. `shape`: where it was measured.
+/// Identity at a pose from fitRecoveryPose. `shape`: if it was measured.
 Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, const SkinView& then,
                     const RecoveryPose& pose, const std::optional<ShapeFit>& shape);
 

@@ -9,28 +9,26 @@
 namespace facenav::head_tracking {
 namespace {
 
-// Time that a live answer takes on one core of a small machine. Frame times are rounded: the microsecond
-// keeps every second answer about a recording from arriving one frame late.
+// Time that a live answer takes on one core of a small machine. The microsecond compensates for rounded frame
+// times, which delay every second answer about a recording by a frame.
 constexpr double kAnswer_s = 0.1 - 1e-6;
 constexpr double kOneMotion_s = 0.5;  // longest time between two answers that give the head's speed
-constexpr double kJitter_mm = 0.5;    // between two answers about a head at rest
+constexpr double kJitter_mm = 0.5;    // difference of two answers about a head at rest
 constexpr int kThoroughEvery = 4;     // questions; a search at all roll angles takes ten times longer
 constexpr int kMostSteps = 12, kFirstLevel = 1;
-// Scale of the residuals of the reference's patches against their expected sigma: 0.6 to 1.5 on skin that has
-// not moved (room), 3 to 7 on a real face with another expression. Below this limit the patches are more
-// exact than recovery's windows.
+// Scale of the residuals of the reference's patches relative to their expected sigma, below which the patches
+// are more exact than recovery's windows. Skin that has not moved has about 1, another expression 3 or more.
 constexpr double kAsExpected = 2.0;
-constexpr double kKnownShare = 0.8;    // share of windows in place: 0.6-0.8 with another expression
+constexpr double kKnownShare = 0.8;    // share of windows in place; lower with another expression
 constexpr double kSamePlace_mm = 3.0;  // both poses put the face at the same place
-// Agreement of both cameras on fine detail: 0.73 and more in uncompressed images of the room, 0.35 to 0.6 in
-// strongly compressed photographs.
+// Least agreement of both cameras on fine detail in images that keep it; strong compression lowers it.
 constexpr double kDetailKept = 0.73;
-// Agreement with the reference divided by that of both cameras, mean and standard deviation: the room's table
-// in skin_detail.h (24 poses of patients, 24 of others).
+// Agreement with the reference divided by that of both cameras, mean and standard deviation, for the patient
+// and for others. Evidence: resources/doc/evidence.md.
 constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
 
-// Log likelihood ratio of the skin's fine detail. It counts only where the images keep that detail. Both
-// cameras then agree on it; in compressed images they agree only by half.
+// Log likelihood ratio of the skin's fine detail; 0 if the images do not keep that detail, as shown by the
+// agreement of both cameras.
 double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
   if (of_both_cameras.value() < kDetailKept) return 0.0;
   const double share = seen.value() / of_both_cameras.value();
@@ -83,7 +81,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   return found;
 }
 
-// Sets the verdict from identity, and from whether both images show one moment.
+// Sets the verdict from the identity, and from whether both images show one moment.
 void LostFace::Found::identify() {
   const auto verdict = face.identity.verdict();
   is_out_of_step = face.sides == SidesVerdict::out_of_step || face.lines.isClearlyOutOfStep();
@@ -143,7 +141,7 @@ void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen:
   if (pace_ != Pace::live) beside_ms_ += processorTime_ms() - before_ms;
 }
 
-// A face that looks as in the reference is not kept.
+// Keeps the found face as a key frame, unless it looks as in the reference.
 void LostFace::remember(const Found& found) {
   const bool is_new = found.moment || found.face.identity.in_place_share < kKnownShare;
   if (answers_.isBusy() || !found.is_patient || !is_new) return;

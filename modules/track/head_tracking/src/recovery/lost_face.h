@@ -1,7 +1,6 @@
 #pragma once
-// LostFace: passes lost frames to FaceRecovery, in parallel with the frames, and turns its answer into what
-// the tracker needs to continue: a pose near which the known patches fit, or new patches made from the
-// present image.
+// LostFace: passes lost frames to FaceRecovery, in parallel with the frames. Its answer is a pose from which
+// the tracker continues: known patches fit near it, or new patches are made from the present image.
 
 #include <memory>
 #include <optional>
@@ -17,7 +16,7 @@ namespace facenav::head_tracking {
 
 class LostFace {
  public:
-  /// From the tracker's start; all must outlive this.
+  /// What the tracker learnt at its start; all must outlive this.
   struct Learnt {
     const cameras::StereoRig* rig;
     const PatchModel* model;
@@ -26,23 +25,23 @@ class LostFace {
   };
   struct Found {
     Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-    std::optional<KeyFrame> moment;  // patches of the present image; empty where the reference's fit
+    std::optional<KeyFrame> moment;  // patches of the present image; empty if the reference's fit
     bool is_patient = false;         // otherwise the face is another person's, absent, or undecided
     bool is_other = false;
     bool is_out_of_step = false;  // the two images show the face at two poses
-    bool is_step_unsure = false;  // they may do so: the next answer decides
+    bool is_step_unsure = false;  // the images may be out of step: the next answer decides
     RecoveredFace face;
     Timestamp captured;          // capture time of the pair
     cameras::StereoFrame frame;  // that pair, only if the face is the patient's
     int epoch = 0;
 
-    void identify();  // is_patient, is_other and is_out_of_step from `face`
+    void identify();  // sets is_patient, is_other and is_out_of_step from `face`
   };
 
   LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace);
 
-  /// The answer about an earlier frame (with Pace::patient, about this one), if there is one and forget() was
-  /// not called since the question. On a slow machine it may be seconds old: see `captured`.
+  /// The answer about an earlier frame (with Pace::patient, about this one), unless forget() was called since
+  /// the question. On a slow machine it may be seconds old: see `captured`.
   std::optional<Found> take(Timestamp now);
   /// Discards an answer that has arrived.
   void drop(Timestamp now) { answers_.take(now.s); }
@@ -50,15 +49,15 @@ class LostFace {
   /// Starts a search in a frame whose face is lost or to be checked. `last`: the head's last known pose. Does
   /// nothing while an answer is pending.
   void ask(const cameras::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
-  /// Whether the images keep the skin's fine detail, so that patches alone decide the identity.
+  /// True if the images keep the skin's fine detail, so that patches alone decide the identity.
   bool picturesKeepDetail() const;
-  /// The found face is tracked: keeps it as a key frame if it looks new.
+  /// Keeps the tracked face as a key frame if it looks new.
   void remember(const Found& found);
-  /// Key frames from another source, used in the search.
+  /// Adds key frames from another source to the search.
   void add(const std::vector<FaceKeyFrame>& keys);
   /// Key frames that are reliable enough to be saved.
   std::vector<FaceKeyFrame> learnt() const { return recovery_->learnt(); }
-  /// The key frames and pending questions are in doubt: discards them.
+  /// Discards the key frames and pending questions, because they are in doubt.
   void forget();
   /// Processor time since the last call that a live session would spend in parallel with the frames (ms).
   double takeBeside_ms();
@@ -69,7 +68,7 @@ class LostFace {
     std::optional<Eigen::Isometry3d> last;
     bool is_thorough;  // the face detector searches all roll angles
     int epoch;
-    cameras::StereoRig rig;  // as the cameras stand in this frame
+    cameras::StereoRig rig;  // with the right camera's pose in this frame
   };
   struct Before {
     Eigen::Isometry3d camera_T_head;

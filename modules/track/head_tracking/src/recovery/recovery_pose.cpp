@@ -18,8 +18,8 @@ namespace {
 constexpr int kFewestMatches = 24;
 constexpr double kPoseFreedom = 3.0;   // degrees of freedom of Student's t
 constexpr int kPoseRounds = 12;        // iterations of reweighting
-constexpr double kUpperFace_mm = 1.3;  // mobility of skin that shows where the skull is
-constexpr double kLeastScale = 0.3;    // of residuals against their expected sigma
+constexpr double kUpperFace_mm = 1.3;  // largest mobility of skin that shows the skull's place
+constexpr double kLeastScale = 0.3;    // of residuals relative to their expected sigma
 constexpr double kRig_rad = 0.15 * kRadPerDeg,
                  kRig_mm = 0.3;  // errors of each camera's own pose from rig and lens
 // Coarse to fine: each level is searched until it has settled.
@@ -30,7 +30,7 @@ struct Solution {
   Matrix6d information = Matrix6d::Zero();
   double scale = 1.0;
   std::vector<double> weight;
-  std::vector<Eigen::Vector2d> residual;  // px, of each match
+  std::vector<Eigen::Vector2d> residual;  // px, per match
 };
 
 Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::Matrix2d>& precision) {
@@ -62,8 +62,9 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
   return s;
 }
 
-// Includes errors that are shared within a part of the face. They appear in how the pose changes when a part
-// is left out (delete-one jackknife over clusters; Bell & McCaffrey 2002, CR3). The weights are kept.
+// Covariance including errors that are shared within a part of the face, as shown by the change of the pose
+// when a part is left out (delete-one jackknife over clusters; Bell & McCaffrey 2002, CR3). The weights are
+// kept.
 Matrix6d covarianceOf(const SkinPoints& points, const std::vector<SkinMatch>& matches,
                       const std::vector<Eigen::Matrix2d>& precision, const Solution& s) {
   struct Part {

@@ -1,7 +1,7 @@
 #pragma once
-// Whether both images of a pair are of one moment, decided from the skin. A point found in both cameras lies
-// on its epipolar line, whatever the expression, unless head or skin moved between the two exposures. A rigid
-// motion of the head shifts the whole face off its lines; a grimace shifts a part of it.
+// EpipolarOffset: whether both images of a pair are of one moment, decided from the skin. A point found in
+// both cameras lies on its epipolar line, whatever the expression, unless head or skin moved between the two
+// exposures. A rigid motion of the head shifts the whole face off its lines; a grimace shifts a part of it.
 
 #include <optional>
 #include <vector>
@@ -13,21 +13,21 @@ namespace facenav::head_tracking {
 
 struct EpipolarOffset {
   int points = 0;        // found in both cameras
-  double median_px = 0;  // of the signed distances from the epipolar lines, right camera
-  double spread_px = 0;  // robust standard deviation about that
+  double median_px = 0;  // signed distance from the epipolar lines, right camera
+  double spread_px = 0;  // robust standard deviation about the median
 
-  /// Whether the face's epipolar error is larger than the errors of the matches explain. `allowed_px`: error
+  /// True if the face's epipolar error is larger than the errors of the matches explain. `allowed_px`: error
   /// that the head's motion between the exposures of untriggered cameras explains.
   bool isOutOfStep(double allowed_px = 0.0) const;
-  /// A stricter limit for a face that is not known to be the patient's. Chance matches on another person's
-  /// skin do not reach it.
+  /// Tests against a stricter limit, for a face that is not known to be the patient's. Chance matches on
+  /// another person's skin do not reach it.
   bool isClearlyOutOfStep() const;
 };
 
 enum class StepVerdict { in_step, unsure, out_of_step };
 
-/// Judges each answer's offset together with the one before, since compressed images shift a single answer by
-/// some tenths of a pixel. An offset of twice the limit is judged alone.
+/// StepWatch: judges each answer's offset together with the one before, since compressed images shift a
+/// single answer by some tenths of a pixel. An offset of twice the limit is judged alone.
 class StepWatch {
  public:
   StepVerdict judge(const EpipolarOffset& offset, double allowed_px, Timestamp captured);
@@ -37,7 +37,7 @@ class StepWatch {
   Timestamp captured_;
 };
 
-/// From the last search of a pose (RecoveryPose::matches).
+/// Offset of the matches of a pose's last search (RecoveryPose::matches).
 EpipolarOffset epipolarOffset(const cameras::StereoRig& rig, const std::vector<SkinMatch>& matches);
 
 }  // namespace facenav::head_tracking

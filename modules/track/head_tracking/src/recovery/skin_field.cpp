@@ -44,7 +44,7 @@ Eigen::MatrixXd shares(const SkinPoints& points, const std::vector<SkinMatch>& m
   return share;
 }
 
-// Rows: two of each match. Columns: xi, then three of each node, in standard deviations of the prior.
+// Rows: two per match. Columns: xi, then three per node, in standard deviations of the prior.
 Eigen::MatrixXd designOf(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
   const Eigen::MatrixXd share = shares(points, matches);
   const double shared_part = settingsOf<SkinFieldModel>().field_shared_part;
@@ -61,8 +61,8 @@ Eigen::MatrixXd designOf(const SkinPoints& points, const std::vector<SkinMatch>&
 
 struct Observations {
   Eigen::MatrixXd design;
-  Eigen::VectorXd offset_px;               // two of each match
-  std::vector<Eigen::Matrix2d> precision;  // of each match
+  Eigen::VectorXd offset_px;               // two per match
+  std::vector<Eigen::Matrix2d> precision;  // per match
 
   Eigen::Index count() const { return Eigen::Index(precision.size()); }
 };
@@ -90,7 +90,8 @@ std::vector<double> weightsOf(const Observations& seen, const Eigen::VectorXd& r
   return weight;
 }
 
-// Most of the skin stays, part of it moves far. Therefore each node's prior is Student's t too.
+// Prior weights of the nodes from their found motion. Most of the skin stays and part of it moves far,
+// therefore each node's prior is Student's t too.
 Eigen::VectorXd priorOf(const Eigen::VectorXd& found) {
   const double freedom = settingsOf<SkinFieldModel>().field_freedom;
   Eigen::VectorXd prior = Eigen::VectorXd::Constant(found.size(), kNoPrior);

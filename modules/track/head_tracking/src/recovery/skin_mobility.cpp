@@ -5,9 +5,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-// Standard deviations by part, mm. Order of magnitude from landmark motion in posed expressions (Cosker,
-// Krumhuber, Hilton 2011, FACS-valid 3-D faces: mouth corners 5-15 mm, cheeks 2-5 mm, brows 3-6 mm at the
-// strongest). A third of that is assumed for an unposed moment. Not fitted.
+// Standard deviations by part, mm. Assumed, not fitted: a third of the landmark motion in the strongest posed
+// expressions (Cosker, Krumhuber, Hilton 2011, FACS-valid 3-D faces: mouth corners 5-15 mm, cheeks 2-5 mm,
+// brows 3-6 mm).
 constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
 constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
 constexpr double kHair_mm = 3.0;                   // beyond the hairline, and in front of the ears
@@ -34,7 +34,8 @@ SkinMobility::SkinMobility(const face::FaceLandmarks& face) {
   is_known_ = true;
 }
 
-// In units of the nose's length below the brows, and of the distance between the eyes from the midline.
+// Part at a place, in units of the nose's length below the brows, and of the distance between the eyes from
+// the midline.
 SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
   if (!is_known_) return {0, kUnknown_mm};
   const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());

@@ -12,18 +12,18 @@ namespace facenav::head_tracking {
 
 /// A part of the face whose skin moves over the bone as one piece.
 struct SkinPart {
-  int number = 0;         // the same within a part; left and right are two parts
+  int number = 0;         // equal within a part; left and right are two parts
   double sigma_mm = 1.0;  // standard deviation of its motion in each direction
 };
 
 class SkinMobility {
  public:
   static constexpr int kParts = 14;
-  /// Without landmarks every part is assumed to move like the forehead.
+  /// Assumes that every part moves like the forehead; used without landmarks.
   SkinMobility() = default;
   explicit SkinMobility(const face::FaceLandmarks& face);
 
-  /// At a pixel of the image with the landmarks.
+  /// The part at a pixel of the image with the landmarks.
   SkinPart at(const Eigen::Vector2d& px) const;
 
  private:

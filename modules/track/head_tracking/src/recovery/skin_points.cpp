@@ -9,16 +9,16 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kSmoothing_px = 0.8;   // before matching: against sensor noise and compression artefacts
-constexpr double kLight_px = 3.0;       // of a level: slower changes are lighting, not skin
-constexpr double kCells = 24.0;         // over the face's width; at most one point in each cell
-constexpr double kWindowShare = 0.028;  // half window over the face's width: 8 mm of skin in all
-constexpr int kLeastHalf_px = 5;        // of a window, at any level
+constexpr double kSmoothing_px = 0.8;   // before matching, against sensor noise and compression artefacts
+constexpr double kLight_px = 3.0;       // in pixels of a level; slower changes are lighting, not skin
+constexpr double kCells = 24.0;         // cells over the face's width; at most one point in each cell
+constexpr double kWindowShare = 0.028;  // half window relative to the face's width: 8 mm of skin in all
+constexpr int kLeastHalf_px = 5;        // half side of a window, at any level
 constexpr double kLeastTexture_grey =
     0.6;                              // texture limit along the weaker direction; its scale: see `least`
 constexpr double kLeastFacing = 0.3;  // cosine between view and normal
 constexpr double kLeastCorrelation = 0.45;  // at the best place
-constexpr double kPlaceError_px = 0.25;     // of a level: error from sampling and shape
+constexpr double kPlaceError_px = 0.25;     // in pixels of a level: error from sampling and shape
 constexpr double kIndependent_px2 = 12.0;   // area of correlated errors in compressed, smoothed images
 constexpr double kLeastUnlike = 0.02;       // least 1 - correlation^2 at the best place
 constexpr double kNearest_mm = 50.0;
@@ -154,9 +154,8 @@ SkinPoints::SkinPoints(const cameras::StereoRig& rig, const cameras::StereoFrame
   const int side = 2 * half_window_px_ + 1;
   cv::cornerMinEigenVal(reference_.pictures.level[0][0], texture, side, 3);
   const double cell = std::max(4.0, box.width / kCells);
-  // OpenCV's eigenvalue is about 4 times the mean squared gradient along the weaker direction (measured, for
-  // windows of 11 to 25 px). The limit is thus an rms gradient of kLeastTexture_grey / (4 side): 0.01 grey
-  // levels a pixel for a window of 17 px.
+  // Limit of OpenCV's eigenvalue, which is about 4 times the mean squared gradient along the weaker direction
+  // for windows of 11 to 25 px. It corresponds to an rms gradient of kLeastTexture_grey / (4 side).
   const double least = std::pow(kLeastTexture_grey * 0.5 / side, 2);
   for (double y0 = box.y; y0 < box.br().y; y0 += cell)
     for (double x0 = box.x; x0 < box.br().x; x0 += cell) {

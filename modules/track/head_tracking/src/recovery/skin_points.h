@@ -3,8 +3,8 @@
 // their search in a later pair. A window around each point is warped by the point's plane to a predicted
 // pose, and searched by normalised cross-correlation in the image of the same camera. The tracking patches
 // (patch_model.h) are narrow and linearised. These windows are wide (some 8 mm of skin) and searched, so most
-// of them keep their place under compression, other light and another expression.
-// In: the reference pair with its surface. Out: displacements (px) with covariance, for recovery's pose.
+// of them keep their place under compression, other light and another expression. In: the reference pair with
+// its surface. Out: displacements (px) with covariance, for recovery's pose.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -86,7 +86,7 @@ class SkinPoints {
   std::vector<SkinMatch> find(const SkinView& then, const cameras::StereoRig& rig,
                               const RecoveryPictures& now, const Eigen::Isometry3d& camera_T_head,
                               const SkinSearch& search) const;
-  /// Whether point `i` is visible in camera `c` of `then`, and of the rig at `camera_T_head`.
+  /// True if point `i` is visible in camera `c` of `then`, and of the rig at `camera_T_head`.
   bool isSeen(std::size_t i, int c, const SkinView& then, const cameras::StereoRig& rig,
               const Eigen::Isometry3d& camera_T_head) const;
   /// The pair with everything black except the face seen at `camera_T_head`.

@@ -1,7 +1,6 @@
 #pragma once
-// Detects a face and its landmarks. They start alignment and tracking without a click. Haar cascade
-// (Viola-Jones, OpenCV; paper, section 4) and dlib's 68-point predictor where its model file is installed;
-// else the cascade alone.
+// Detects a face and its landmarks, the start of alignment and tracking without a click. Uses a Haar cascade
+// (Viola-Jones, OpenCV; paper, section 4), and dlib's 68-point predictor if its model file is installed.
 
 #include <Eigen/Core>
 #include <memory>
@@ -15,9 +14,9 @@ namespace facenav::face {
 class LandmarkModel;
 
 struct FaceLandmarks {
-  cv::Rect face;                          // px, in the image given
-  std::vector<Eigen::Vector2d> points68;  // the iBUG 68 points, px; empty where the model is not installed
-  double roll_rad = 0.0;  // in-plane rotation at which the face was found, clockwise on the image
+  cv::Rect face;                          // in px of the given image
+  std::vector<Eigen::Vector2d> points68;  // the iBUG 68 points, px; empty if the model is not installed
+  double roll_rad = 0.0;                  // in-plane roll of the face, clockwise on the image
 };
 
 class FaceDetector {
@@ -32,9 +31,9 @@ class FaceDetector {
   virtual std::optional<FaceLandmarks> detectAtRoll(const cv::Mat& grey, double roll_rad) const = 0;
 };
 
-/// Throws Error that names the missing package when the cascade file is not installed.
+/// Throws Error naming the missing package if the cascade file is not installed.
 std::unique_ptr<FaceDetector> makeFaceDetector();
-/// The same with a shared landmark model (100 MB).
+/// Makes a detector that uses a shared landmark model (100 MB).
 std::unique_ptr<FaceDetector> makeFaceDetector(std::shared_ptr<const LandmarkModel> landmarks);
 
 }  // namespace facenav::face

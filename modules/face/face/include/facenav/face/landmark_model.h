@@ -1,6 +1,6 @@
 #pragma once
-// LandmarkModel: dlib's 68-point shape predictor (Kazemi & Sullivan 2014), the file of Debian's libdlib-data.
-// The file has 100 MB: it is read at first use, and all users share one object (shared_ptr).
+// LandmarkModel: dlib's 68-point shape predictor (Kazemi & Sullivan 2014) from Debian's libdlib-data. The
+// file has 100 MB. It is read at first use, and all users share one object (shared_ptr).
 
 #include <Eigen/Core>
 #include <filesystem>

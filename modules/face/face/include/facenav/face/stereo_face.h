@@ -14,20 +14,20 @@ namespace facenav::face {
 struct StereoFace {
   FaceLandmarks left, right;
   std::vector<Eigen::Vector3d>
-      points_mm;  // the 68 landmarks in Camera; empty when no landmark model is installed
+      points_mm;  // the 68 landmarks in Camera; empty if no landmark model is installed
 };
 
-/// The face in both images with triangulated landmarks. Nothing when one image shows no face, or the two
-/// disagree (epipolar error, depth). `near` restricts the search to the last position.
+/// Finds the face in both images and triangulates its landmarks. Returns nothing if one image shows no face,
+/// or if the two disagree (epipolar error, depth). `near` restricts the search to the last position.
 std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const cameras::StereoRig& rig,
                                          const cameras::StereoFrame& frame, const StereoFace* near = nullptr);
 
-/// The same in the whole images, for faces with roll `roll_rad` only.
+/// Searches the whole images, for faces with roll `roll_rad` only.
 std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, const cameras::StereoRig& rig,
                                                const cameras::StereoFrame& frame, double roll_rad);
 
-/// The motion that maps the reference landmarks to the current ones. Robust: brow, eyes and nose only, with
-/// low weight for outliers. Nothing when they do not fit one rigid face.
+/// The motion that maps the reference landmarks to the current ones. Robust: uses brow, eyes and nose only,
+/// and gives outliers a low weight. Returns nothing if they do not fit one rigid face.
 std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vector3d>& reference_mm,
                                                    const std::vector<Eigen::Vector3d>& current_mm);
 

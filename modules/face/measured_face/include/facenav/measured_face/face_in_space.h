@@ -15,12 +15,12 @@ namespace facenav::measured_face {
 struct FaceInSpace {
   std::optional<face::FaceLandmarks> left, right;
   registration::AlignmentStart start;   // landmarks that were triangulated to a plausible position
-  std::optional<Point<Camera>> centre;  // of the landmarks
+  std::optional<Point<Camera>> centre;  // centre of the landmarks
 };
 FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
                      const face::FaceDetector& detector);
 
-/// The part of a cloud that is the face: near the landmarks if there are any, else the nearest large surface.
+/// The part of a cloud that is the face: near the landmarks, or the nearest large surface without landmarks.
 stereo::FaceCloud cutFace(const stereo::FaceCloud& cloud, const FaceInSpace& face);
 
 }  // namespace facenav::measured_face

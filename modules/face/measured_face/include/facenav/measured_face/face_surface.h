@@ -8,13 +8,13 @@
 
 namespace facenav::measured_face {
 
-/// Of the points that are measured well and face the camera. `scalp`: an MRI's skin; then only points on it
-/// are taken (hair and clothes are not). May be null. The measurement's `size` is left open.
+/// Surface of the points that are measured well and face the camera. `scalp`: an MRI's skin, may be null;
+/// then only points on it are used (no hair or clothes). The measurement's `size` is not set.
 surface::ScalpSurface faceSurface(const cameras::StereoRig& rig, const stereo::FaceCloud& face,
                                   const RigidTransform<Mri, Camera>& mri_T_camera,
                                   const registration::ScalpField* scalp);
 
-/// Throws Error if too small a part of a face was measured.
+/// Throws Error if too small a part of the face was measured.
 void requireWholeFace(const surface::TriangleMesh& mesh);
 
 }  // namespace facenav::measured_face

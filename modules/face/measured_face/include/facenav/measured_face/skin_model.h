@@ -1,5 +1,5 @@
 #pragma once
-// The scalp of a case as the skin that faces are aligned to. Mri, mm.
+// SkinModel of a case's scalp, to which faces are aligned. Mri, mm.
 
 #include "facenav/registration/skin_model.h"
 #include "facenav/surface/scalp_surface.h"

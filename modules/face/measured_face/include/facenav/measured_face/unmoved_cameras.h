@@ -7,8 +7,8 @@
 
 namespace facenav::measured_face {
 
-/// Throws health::RigError if points of the face, matched again in the pictures it was `measured` on, show
-/// that the cameras moved. `plain`: the same face without dots.
+/// Matches points of the face again in the pictures it was `measured` on, and throws health::RigError if they
+/// show that the cameras moved. `plain`: the same face without dots.
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
                            const cameras::StereoFrame& plain, const stereo::FaceCloud& face);
 

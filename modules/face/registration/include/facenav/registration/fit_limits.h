@@ -1,6 +1,6 @@
 #pragma once
 // FitLimits: when an alignment is refused, or accepted with a caution. A wider limit may let another person's
-// scan pass. Judge a change by `facenav evaluate` on heads and faces that are not among those named here.
+// scan pass. Judge a change by `facenav evaluate` on heads and faces that the evidence does not name.
 
 #include "facenav/core/setting.h"
 

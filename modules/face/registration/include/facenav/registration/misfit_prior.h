@@ -1,7 +1,7 @@
 #pragma once
-// MisfitPrior: prior of the misfit between live skin and MRI (see misfit_model.h). It decides how wide the
-// stated error bound is. Judge a change by the share of alignments inside their bound (`facenav evaluate`),
-// on heads that are not among those named here.
+// MisfitPrior: prior of the misfit between live skin and MRI (see misfit_model.h). It determines the width of
+// the error bound. Judge a change by the share of alignments inside their bound (`facenav evaluate`), on
+// heads that the evidence does not name.
 
 #include <array>
 #include <utility>
@@ -14,7 +14,7 @@ struct MisfitPrior {
   static constexpr const char* kModule = "registration";
   static constexpr const char* kSubject = "misfit of live skin and MRI";
 
-  using Sizes = std::array<std::pair<double, double>, 3>;  // sigma, its probability
+  using Sizes = std::array<std::pair<double, double>, 3>;  // pairs of sigma and its probability
   // Offset of the whole skin along its normals, mm. Most scans show the skin's edge within a fraction of a
   // voxel. Where the dermis is dark, they show the edge of the fat.
   Sizes offsets_mm{{{0.1, 0.4}, {0.3, 0.35}, {0.9, 0.25}}};
@@ -23,7 +23,7 @@ struct MisfitPrior {
   Sizes scales{{{0.001, 0.45}, {0.002, 0.35}, {0.005, 0.2}}};
   double field_mm = 0.35;     // median size of the smooth field
   double field_spread = 0.8;  // standard deviation of that size's natural logarithm
-  // Working covariance, under which the pose itself is estimated. It assumes that only near neighbours are
+  // Working covariance for the estimate of the pose itself. It assumes that only near neighbours are
   // correlated.
   double working_field_mm = 0.05, working_reach_mm = 12.0, working_soft = 2.5;
   double working_offset_mm = 0.2, working_scale = 0.001;

@@ -11,11 +11,11 @@ namespace facenav::registration {
 struct PoseUncertainty {
   Matrix6d covariance = Matrix6d::Zero();  // of (rotation rad, translation mm): left increment in Camera at
                                            // the image of Mri's origin
-  double freedom = 30.0;  // degrees of freedom of the t distribution that the pose's error has
+  double freedom = 30.0;                   // degrees of freedom of the pose error's t distribution
 
   /// Predicted standard error of `camera_T_mri` at a point of the patient, mm.
   double predictedError_mm(const RigidTransform<Camera, Mri>& camera_T_mri, const Point<Mri>& target) const;
-  /// The error there lies within this with `probability` (0.95: 95 of 100 alignments), mm.
+  /// Bound of the error at this point with `probability` (0.95: 95 of 100 alignments), mm.
   double errorBound_mm(const RigidTransform<Camera, Mri>& camera_T_mri, const Point<Mri>& target,
                        double probability = 0.95) const;
 };

@@ -1,10 +1,10 @@
 #pragma once
-// ScalpField: look-up of the signed distance to the MRI's skin. It is built once a case and shared by every
-// alignment to it. It has two grids: a coarse one over head and surroundings for the search, and bricks of a
-// fine one in a band around the skin for the fit. Both are interpolated trilinearly, so that the gradient is
-// that of the distance and Gauss-Newton steps are exact. The interpolation error is h^2/8 times the skin's
-// mean curvature: under 0.05 mm on the tip of a nose (fine grid). Points without counterpart give NaN: beyond
-// the scan's end, and where the nearest skin is its cut edge. Mri mm; positive outside.
+// ScalpField: look-up of the signed distance to the MRI's skin, built once per case and shared by all
+// alignments. A coarse grid over head and surroundings serves the search; bricks of a fine one in a band
+// around the skin serve the fit. Both are interpolated trilinearly, so that the gradient is that of the
+// distance and Gauss-Newton steps are exact. The interpolation error is h^2/8 times the skin's mean
+// curvature: under 0.05 mm on the tip of a nose (fine grid). Points without counterpart give NaN: beyond the
+// scan's end, and where the nearest skin is its cut edge. Mri mm; positive outside.
 
 #include <array>
 #include <cmath>
@@ -29,10 +29,10 @@ struct FieldSample {
 
 class ScalpField {
  public:
-  /// Throws Error("not aligned: ...") when the skin has no points, no normals or no triangles.
+  /// Throws Error("not aligned: ...") if the skin has no points, no normals or no triangles.
   explicit ScalpField(const SkinModel& skin);
-  /// The same from write()'s file, in milliseconds. Null where the file is missing, damaged, of another
-  /// version or of another skin.
+  /// Reads a file of write() in milliseconds. Null if the file is missing, damaged, of another version or of
+  /// another skin.
   static std::shared_ptr<const ScalpField> read(const SkinModel& skin, const std::filesystem::path& path);
   /// Writes the whole file or nothing; mode 0600, little-endian. It is derived data and can always be built
   /// again. Throws Error.
@@ -43,19 +43,19 @@ class ScalpField {
 
   /// Coarse grid: error 0.1 mm on a forehead, 0.5 mm on a nose. kFar_mm outside the grid.
   FieldSample coarse(const Eigen::Vector3f& p_mri_mm) const;
-  /// Fine grid within about kBand_mm of the skin, the coarse one beyond.
+  /// Fine grid within about kBand_mm of the skin, the coarse grid beyond.
   FieldSample fine(const Eigen::Vector3f& p_mri_mm) const;
-  /// The grids themselves; valid as long as the field.
+  /// Both grids; valid as long as the field.
   const FieldGrids& grids() const { return grids_; }
   static constexpr float kFar_mm = FieldGrids::kFar_mm, kBand_mm = 3.0f;
 
   const SkinModel& skin() const { return skin_; }
   const Eigen::Vector3d& low_mm() const { return low_; }
   const Eigen::Vector3d& high_mm() const { return high_; }
-  /// Tip of the nose, or of the part of it that the scan contains.
+  /// Tip of the nose, or the most advanced part of it that the scan contains.
   const Eigen::Vector3d& noseTip_mm() const { return nose_tip_; }
   Eigen::Vector3d middle_mm() const { return 0.5 * (low_ + high_); }
-  /// The mesh behind the grids: exact but slower, for methods that pair points with vertices. Built at the
+  /// The mesh behind the grids, for methods that pair points with vertices: exact but slower. Built at the
   /// first call.
   const NearestSkin& nearest() const;
 
@@ -82,9 +82,9 @@ class ScalpField {
   FieldGrids grids_;
 };
 
-/// The field of `skin` from the file `path`. Where the file is missing or of another skin, the field is built
-/// and, if the folder allows, written there. With an empty path nothing is written. Throws Error as
-/// ScalpField does.
+/// Reads the field of `skin` from the file `path`. If the file is missing or of another skin, the field is
+/// built and, if the folder allows, written there. Nothing is written with an empty path. Throws Error as
+/// ScalpField.
 std::shared_ptr<const ScalpField> keptScalpField(const SkinModel& skin, const std::filesystem::path& path);
 
 inline FieldSample interpolate(const float* c, int sy, int sz, const Eigen::Vector3f& at, float spacing_mm) {
@@ -105,7 +105,7 @@ inline FieldSample sampleCoarse(const FieldGrids& grids, const Eigen::Vector3f& 
   constexpr float kSpacing_mm = FieldGrids::kCoarse_mm;
   const Eigen::Vector3f at = (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / kSpacing_mm);
   const int* size = grids.coarse_size;
-  // Written so that a NaN position counts as outside.
+  // This form treats a NaN position as outside.
   if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < float(size[0] - 1) &&
         at.y() < float(size[1] - 1) && at.z() < float(size[2] - 1)))
     return {FieldGrids::kFar_mm, Eigen::Vector3f::UnitZ()};

@@ -2,15 +2,14 @@
 // DenseMatcher: rectified pair -> disparity of each left pixel.
 //   field       the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities. Then a
 //               grid of planes is fitted to the whole image at once by Gauss-Newton, with gain, offset and
-//               slopes. Without slopes a cheek seen at 45 degrees is off by tenths of a pixel. Gain and
-//               offset absorb that the cameras see the skin from different sides. `details` sharpens creases.
-//   field_cuda  the same on an NVIDIA GPU, where FaceNav was built with FACENAV_CUDA.
-//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel; to
-//               compare. Needs projected dots.
+//               slopes. Without slopes a cheek at 45 degrees is off by tenths of a pixel. Gain and offset
+//               model that the cameras see the skin from different sides. `details` sharpens creases.
+//   field_cuda  "field" on an NVIDIA GPU, if FaceNav was built with FACENAV_CUDA.
+//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel. Kept for
+//               comparison. Needs projected dots.
 //   sgm         semi-global matching of census costs. It finds weakly textured and half hidden places, but is
 //               an order less exact: the start of "field" on plain skin. Holes are filled from the
-//               background, with a stated deviation of 1 px; `largest_sigma_px` decides whether they are
-//               kept.
+//               background with a deviation of 1 px; `largest_sigma_px` decides whether they are kept.
 
 #include <memory>
 #include <opencv2/core.hpp>
@@ -23,26 +22,26 @@
 namespace facenav::stereo {
 
 struct MatchOptions {
-  double window_sigma_px = 3.0;  // field: standard deviation of its Gaussian window
+  double window_sigma_px = 3.0;  // field: standard deviation of the Gaussian window
   int steps = 1;                 // field: Gauss-Newton steps over the whole image
-  int growths = 0;               // field: blocks that the surface is grown by over steep skin, a step each
-  int details = 0;  // field: further steps with smaller windows, kept where they exceed their noise
-  /// field: a surface known beforehand, one disparity for each 4 x 4 pixels of the rectified left image
-  /// (32-bit float, no NaN), right within half a pixel. No search then.
+  int growths = 0;               // field: steps that extend the surface over steep skin, by one block each
+  int details = 0;  // field: further steps with smaller windows, kept if the change exceeds its noise
+  /// field: a surface known beforehand, correct to half a pixel, which replaces the search. One disparity for
+  /// each 4 x 4 pixels of the rectified left image (32-bit float, no NaN).
   cv::Mat predicted_px;
   int window_px = 11;  // odd, 5 .. 11
   /// Predicted standard deviation of the disparity above which a pixel is dropped. 0.4 covers creases; 0.15
-  /// leaves smooth skin alone.
+  /// keeps only smooth skin.
   double largest_sigma_px = 0.4;
-  double least_correlation = 0.75;  // of the fitted windows
-  double largest_slope = 1.0;       // |d(disparity)/dx| of a surface still accepted
-  /// Distance of the window's texture centre from its middle: beyond, the fit rests on what lies beside the
-  /// pixel.
+  double least_correlation = 0.75;  // correlation of the fitted windows
+  double largest_slope = 1.0;       // largest accepted |d(disparity)/dx|
+  /// Largest distance of the window's texture centre from its middle. Beyond it, the fit depends on texture
+  /// beside the pixel.
   double largest_lever_px = 4.0;
-  double least_centre_texture = 0.1;  // squared gradient of the middle 5 x 5 by that of the window
-  int refinements = 1;                // fits with the surface's own shape in the window in place of a plane
-  int refined_window_px = 7;          // side of the window then
-  int smallest_patch_px = 150;        // connected patches below this many pixels are dropped as speckles
+  double least_centre_texture = 0.1;  // least squared gradient of the middle 5 x 5, relative to the window's
+  int refinements = 1;  // further fits that use the surface's own shape in the window instead of a plane
+  int refined_window_px = 7;    // side of the window in those fits
+  int smallest_patch_px = 150;  // smaller connected patches, in pixels, are dropped as speckles
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -71,15 +70,16 @@ struct MatchOptions {
 };
 
 struct DisparityMap {
-  cv::Mat disparity_px;      // 32-bit float, NaN where there is none; as Rectification counts it
-  cv::Mat slope_x, slope_y;  // 32-bit float: its derivative along x and y (empty when the matcher knows none)
+  cv::Mat disparity_px;      // 32-bit float, NaN if unknown; defined as in Rectification
+  cv::Mat slope_x, slope_y;  // 32-bit float: derivative along x and y (empty if the matcher computes none)
   cv::Mat sigma_px;          // 32-bit float: predicted standard deviation
 };
 
 class DenseMatcher {
  public:
   virtual ~DenseMatcher() = default;
-  /// Does it use MatchOptions::predicted_px? The others search, which plain skin shows too little for.
+  /// True if it uses MatchOptions::predicted_px. The other matchers search, for which plain skin has too
+  /// little texture.
   virtual bool startsFromPrediction() const { return false; }
   virtual DisparityMap match(const Rectification& rectification, const RectifiedPair& pair,
                              const MatchOptions& options) const = 0;
@@ -87,7 +87,7 @@ class DenseMatcher {
 
 constexpr const char* kDefaultMatcher = "field";
 
-/// One of denseMatcherNames(). Throws Error for another name, listing these.
+/// Makes one of denseMatcherNames(). Throws Error for another name, listing these.
 std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name);
 std::vector<std::string> denseMatcherNames();
 std::string denseMatcherList();  // "field, ssd, sgm", for messages and help

@@ -1,6 +1,6 @@
 #pragma once
-// DotPattern: the image the projector shows (paper, section 7.1: 1024 x 768, one 2 x 2 dot at random in each
-// 64 x 64 block; and a dense one, since 11 x 11 windows mostly miss such sparse dots).
+// DotPattern: the image that the projector shows. Sparse: the paper's (section 7.1: 1024 x 768, one 2 x 2 dot
+// at random in each 64 x 64 block). Dense: more dots, since 11 x 11 windows mostly miss such sparse ones.
 
 #include <cstdint>
 #include <opencv2/core.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 // Rectification: both images turned so that the baseline is their x axis and matching points share a row,
 // whatever the relative pose of the cameras (side by side, one above the other, rolled, swapped: images are
-// turned as needed). After Fusiello, Trucco, Verri 2000; written out here because cv::stereoRectify keeps a
-// vertical pair vertical and crops by its own rules. Frame "rectified": origin of Camera, x along the
-// baseline, z forward.
+// turned as needed). After Fusiello, Trucco, Verri 2000, and not cv::stereoRectify, which keeps a vertical
+// pair vertical and crops by its own rules. Frame "rectified": origin of Camera, x along the baseline, z
+// forward.
 //
 // Disparity of a point at depth z in that frame: x_left - x_right = f_px * baseline_mm / z_mm +
 // disparity_offset_px.
@@ -23,10 +23,10 @@ struct DepthRange {
 struct Rectification {
   Eigen::Matrix3d rectified_R_camera = Eigen::Matrix3d::Identity();
   double f_px = 0, cx_left_px = 0, cx_right_px = 0, cy_px = 0, baseline_mm = 0;
-  int disparities = 0;          // those searched are 0 .. disparities - 1
+  int disparities = 0;          // number of searched disparities: 0 .. disparities - 1
   cv::Mat left_map, right_map;  // 32-bit, 2 channels: the recorded pixel of each rectified one
   cv::Mat left_mask,
-      right_mask;  // 8-bit: 255 where that pixel lies inside the image (and the region of interest)
+      right_mask;  // 8-bit: 255 if that pixel lies inside the image (and the region of interest)
 
   double offset_px() const { return cx_left_px - cx_right_px; }
   /// Point in Camera of a pixel of the rectified left image.
@@ -35,9 +35,9 @@ struct Rectification {
   double depthPerDisparity_mm(double disparity_px) const;
 };
 
-/// Maps for the part of the left image inside `left_roi` (all of it where empty) over a depth range. The
-/// rectified right image is `disparities` wider, so that no search runs out of it. Throws Error when one
-/// camera stands in front of the other or both do not look the same way.
+/// Maps for the part of the left image inside `left_roi` (all of it if empty) over a depth range. The
+/// rectified right image is `disparities` wider, so that no search leaves it. Throws Error if one camera is
+/// positioned in front of the other, or if they do not face the same way.
 Rectification rectify(const cameras::StereoRig& rig, const DepthRange& range, const cv::Rect& left_roi = {});
 
 /// Both images at rectified pixels, 32-bit float (quintic B-splines).

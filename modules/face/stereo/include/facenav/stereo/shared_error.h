@@ -1,8 +1,8 @@
 #pragma once
-// SharedError: how much of the deviation that a face cloud states (FaceCloud::sigma_mm) neighbouring points,
-// and all of the face, have in common. It does not average out over the face, and what the whole face shares
-// no residual of an alignment shows. A change is to be judged by the share of alignments inside their bound
-// (`facenav evaluate --scenario plain_align`), on heads and seeds that are not among those named here.
+// SharedError: the correlated part of a face cloud's predicted deviation (FaceCloud::sigma_mm), shared by
+// neighbouring points and by the whole face. It does not average out, and an alignment's residuals do not
+// show the part that the whole face shares. Judge a change by the share of alignments inside their bound
+// (`facenav evaluate --scenario plain_align`), on heads and seeds that the evidence does not name.
 
 #include "facenav/core/setting.h"
 

@@ -23,13 +23,13 @@
 namespace facenav::coil_tracking {
 
 struct MarkerModel {
-  std::string dictionary = "4x4_50";  // ArUco dictionary; ignored where pattern is set
+  std::string dictionary = "4x4_50";  // ArUco dictionary; ignored if pattern is set
   int id = 7;
   std::optional<std::filesystem::path> pattern;  // ARToolKit .patt
   double size_mm = 60.0;                         // edge of the black square
-  // Standard error of size_mm (measured, or the page's ruler checked). With it, a print of another size is
-  // distinguished from a camera that turned along the epipolar lines. Larger: a wrong print size is accepted,
-  // and so is a wrong depth.
+  // Standard error of size_mm (measured, or the page's ruler checked). It distinguishes a print of another
+  // size from a camera that turned along the epipolar lines. A larger value accepts a wrong print size, and
+  // with it a wrong depth.
   double size_sigma_mm = 0.1;
   RigidTransform<Coil, Marker> coil_T_marker;
 };
@@ -39,63 +39,64 @@ struct CoilModel {
   std::string name;
   std::vector<MarkerModel> markers;
   std::optional<std::filesystem::path> mesh;  // STL in Coil coordinates, mm
-  /// The point that is held to nose and ear to check an alignment; by default the contact face's centre.
+  /// The point touched to nose and ear to check an alignment; by default the contact face's centre.
   Point<Coil> tip;
   RigidTransform<Marker, Coil> marker_T_coil() const { return markers.front().coil_T_marker.inverse(); }
 };
 /// Throws Error naming file and key.
 CoilModel readCoil(const std::filesystem::path& path);
 void writeCoil(const CoilModel& coil, const std::filesystem::path& path);
-/// One 60 mm marker, dictionary 4x4_50, id 7, marker_T_coil identity: used where no coil file was given.
+/// One 60 mm marker, dictionary 4x4_50, id 7, marker_T_coil identity. Used without a coil file.
 CoilModel defaultCoil();
 
 struct CoilPose {
-  RigidTransform<Camera, Marker> camera_T_marker;  // of the model's first marker, whichever marker was seen
+  RigidTransform<Camera, Marker>
+      camera_T_marker;  // of the model's first marker, whichever marker was visible
   Matrix6d covariance = Matrix6d::Zero();
   std::array<Eigen::Vector2d, 4> left_corners_px,
       right_corners_px;  // of the best visible marker, clockwise on the print from top left
 };
 
-/// What the tracker must know about a frame besides its images.
+/// Input of the tracker for a frame besides its images.
 struct CoilContext {
   cameras::ExposureOffset exposure_offset;  // of this frame's cameras
   FrameWork work_before;                    // work already done in this frame
-  /// How the cameras stand in this frame; empty: as in the frame before, at first as at start().
+  /// Pose of the right camera in this frame; empty: as in the frame before, at first as at start().
   std::optional<RigidTransform<RightCamera, Camera>> right_T_left = {};
-  /// Standard error of the right camera's direction, beyond the calibration's, rad: while it moves on its
-  /// mount and is followed. So much nod and roll is no contradiction; both leave the depth as it is. The
-  /// print's size must fit all the same.
+  /// Standard error of the right camera's direction, beyond the calibration's, rad, while it moves on its
+  /// mount and is followed. Nod and roll of this size are accepted, since both leave the depth unchanged. The
+  /// print's size must fit nevertheless.
   double right_turn_sigma_rad = 0.0;
 };
 
-/// The pose or Lost, the work done, and what the frame shows about the cameras.
+/// The pose or Lost, the work done, and observations of the cameras.
 struct CoilResult : Tracked<CoilPose> {
   using Tracked<CoilPose>::Tracked;
   CoilResult(Tracked<CoilPose> pose) : Tracked<CoilPose>(std::move(pose)) {}
-  FrameWork work;      // total of this frame, earlier work included; 0 where the method does not count
-  FrameWork deferred;  // search work that did not fit into this frame's budget; the next frame reserves it
-  /// The marker as both cameras see it, even when its pose was rejected. None where no marker was fitted, and
-  /// while the coil moves.
+  FrameWork work;      // total of this frame with earlier work; 0 if not counted
+  FrameWork deferred;  // search work beyond this frame's budget, to be reserved in the next frame
+  /// The marker in both images, even if its pose was rejected. Empty if no marker was fitted, and while the
+  /// coil moves.
   std::optional<health::SquareObservation> observation;
-  /// Of left and right camera, as used from the next frame on: stated by the rig, or measured where the
-  /// coil's motion shows others with certainty.
+  /// Row times of left and right camera, as used from the next frame on: those of the rig, or those measured
+  /// if the coil's motion shows others with certainty.
   std::array<double, 2> row_times_s{0.0, 0.0};
 };
 
 class CoilTracker {
  public:
   virtual ~CoilTracker() = default;
-  /// Resets the tracker. Throws Error when the coil has no marker or a pattern cannot be read.
+  /// Resets the tracker. Throws Error if the coil has no marker or a pattern cannot be read.
   virtual void start(const cameras::StereoRig& rig, const CoilModel& coil) = 0;
-  /// An unusable frame (no image, another size) gives Lost{camera}.
+  /// Returns Lost{camera} for an unusable frame (no image, another size).
   virtual CoilResult track(const cameras::StereoFrame& frame, const CoilContext& context) = 0;
   CoilResult track(const cameras::StereoFrame& frame) { return track(frame, CoilContext()); }
 };
 
 std::unique_ptr<CoilTracker> makeMarkerCoilTracker();  // "marker"
 
-/// The coil's marker as an observation of the cameras, for the check of a rig. `tracker` may be null: then
-/// the finder is empty. Throws Error as CoilTracker::start does.
+/// The coil's marker as an observation of the cameras, for the check of a rig. `tracker` may be null, which
+/// gives an empty finder. Throws Error as CoilTracker::start.
 health::SquareFinder squareFinder(std::shared_ptr<CoilTracker> tracker, const cameras::StereoRig& rig,
                                   const CoilModel& coil);
 

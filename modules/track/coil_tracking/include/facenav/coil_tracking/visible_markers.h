@@ -1,6 +1,6 @@
 #pragma once
-// Which prints of one ArUco dictionary a picture shows, whatever coil they belong to: to say that another
-// coil than the chosen one is held. For a look now and then: it searches the whole picture.
+// Finds the markers of one ArUco dictionary in a picture, of any coil, to detect that another coil than the
+// chosen one is used. It searches the whole picture, so it is too slow for every frame.
 
 #include <opencv2/core.hpp>
 #include <set>
@@ -8,7 +8,7 @@
 
 namespace facenav::coil_tracking {
 
-/// The numbers that are seen. `grey`: 8-bit, 1 channel. Throws Error for an unknown dictionary.
+/// Returns the ids of the visible markers. `grey`: 8-bit, 1 channel. Throws Error for an unknown dictionary.
 std::set<int> visibleMarkers(const cv::Mat& grey, const std::string& dictionary);
 
 }  // namespace facenav::coil_tracking

@@ -11,12 +11,12 @@
 namespace facenav::head_tracking {
 
 struct FaceKeyFrame {
-  cameras::StereoRig rig;      // of the cameras that took it
+  cameras::StereoRig rig;      // of the cameras that took the pair
   cameras::StereoFrame frame;  // black outside the face
   Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();  // of that pose, as in HeadPose, about the face's centre
-  /// The same, for changes between its session and this one. It is stated with poses found by this key frame,
-  /// but does not make the tracker refuse them.
+  /// Covariance of changes between the key frame's session and this one. It is added to poses found with this
+  /// key frame, but does not make the tracker refuse them.
   Matrix6d between_sessions = Matrix6d::Zero();
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// IdentityModel: how probable what was seen is for the patient and for another person (module's identity.h).
-// One real person is little: a change is to be judged on persons who are not among those named here
+// IdentityModel: likelihoods of the identity check's observations for the patient and for another person
+// (src/recovery/identity.h). The evidence is one real person. Judge a change on persons whom it does not name
 // (`facenav evaluate pairs`).
 
 #include "facenav/core/setting.h"

@@ -1,6 +1,6 @@
 #pragma once
-// LossDetail: why the head was lost, in more detail than LostReason, for users: shown in the banner and in
-// the column "detail" of poses.csv. It never decides anything.
+// LossDetail: the cause of a loss of the head, in more detail than LostReason, for users: shown in the banner
+// and in the column "detail" of poses.csv. It never affects the pose.
 
 #include <string>
 
@@ -17,7 +17,7 @@ enum class LossDetail {
   frozen,       // a camera repeats its picture
   no_picture,   // black, blank, or of another size
   swapped,      // left and right exchanged
-  out_of_step,  // the two images are of different moments
+  out_of_step,  // the two images were taken at different moments
   other_face,   // a face is there, but another person's
 };
 

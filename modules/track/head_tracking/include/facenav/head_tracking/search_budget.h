@@ -1,6 +1,6 @@
 #pragma once
-// SearchBudget: how much of a frame's work (core/frame_budget.h) may be done before the search for a lost
-// head, or a fit from its result, is deferred to the next frame.
+// SearchBudget: work budget of a frame (core/frame_budget.h) beyond which the search for a lost head, or a
+// fit from its result, is deferred to the next frame.
 
 #include "facenav/core/setting.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// SkinDetailLimits: when the fine detail under a fitted pose is the patient's (see skin_detail.h, with a
-// table of measurements). A wider limit may let another person's face pass.
+// SkinDetailLimits: when the fine detail under a fitted pose is the patient's (see skin_detail.h). A wider
+// limit may let another person's face pass.
 
 #include "facenav/core/setting.h"
 

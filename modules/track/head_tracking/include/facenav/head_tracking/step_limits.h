@@ -1,6 +1,6 @@
 #pragma once
-// StepLimits: when skin that lies off its epipolar lines says that the two images show two moments (module's
-// sides.h).
+// StepLimits: epipolar error of the skin above which the two images are of different moments
+// (src/recovery/sides.h).
 
 #include "facenav/core/setting.h"
 
