@@ -3,8 +3,9 @@
 // cheeks beside it, and how far forward it lies.
 // - findNoseRise: is there a nose at all? For every scan, also a defaced one; so it needs the rise from the
 //   nose's root.
-// - findNoseTip: about where is its tip? It always answers, also when the scan cuts the nose, because starts
-//   and regions need a place exact to a centimetre. Stored in scalp_field.bin, so its result must not change.
+// - findNoseTip: about where is its tip? It always returns a place, also when the scan cuts the nose, because
+//   starts and regions need a place exact to a centimetre. Stored in scalp_field.bin, so its result must not
+//   change.
 // - midlineLandmarks (midline_profile.h): where exactly is it, by the anthropometric definition? Only on a
 //   whole nose.
 
