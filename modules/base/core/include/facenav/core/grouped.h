@@ -28,7 +28,7 @@ inline Grouped groupedByOwner(const std::vector<std::pair<int, int>>& pairs, std
   return out;
 }
 
-/// The same without duplicates.
+/// Removes repeated items of each owner.
 inline Grouped withoutRepetitions(const Grouped& grouped) {
   Grouped out{std::vector<int>(grouped.first.size(), 0), {}};
   out.all.reserve(grouped.all.size());

@@ -27,7 +27,7 @@ enum class Origin {
   physics,  // a property of the scanner, camera, skin or head
   article,  // published; the evidence names it
   fitted,   // chosen by results on data; the evidence says on what, how many, and the score on other data
-  chosen,   // by judgement, without a fit; the evidence says what it was compared with, where anything was
+  chosen,   // by judgement, without a fit; the evidence names what it was compared with, if anything
 };
 std::string toString(Origin origin);
 
@@ -37,7 +37,7 @@ struct Setting : Field {
   std::string evidence;  // a sentence
 };
 
-/// What several settings share: where their values come from.
+/// Origin of the values of several settings.
 struct Evidence {
   Origin origin;
   const char* words;

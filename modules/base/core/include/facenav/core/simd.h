@@ -14,11 +14,12 @@ inline namespace core {
 
 enum class InstructionSet { base, avx2 };
 
-/// The set for a processor and a wish: "base", or nothing for the fastest. Throws Error for another wish.
+/// Instruction set for a processor and a request: "base", or nullopt for the fastest. Throws Error for
+/// another request.
 InstructionSet instructionSetFor(bool has_avx2, const std::optional<std::string>& wish);
 
 /// AVX2 where compiler and processor have it together with FMA. Decided at the first call and kept. The
-/// environment variable FACENAV_SIMD=base forces the base set. Throws Error where it holds another word.
+/// environment variable FACENAV_SIMD=base forces the base set. Throws Error for another value.
 InstructionSet instructionSet();
 
 /// Calls the maker for this processor: `base()` or `avx2()`. To pay for the choice once, keep the result:
