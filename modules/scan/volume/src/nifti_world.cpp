@@ -33,7 +33,7 @@ std::string spaceOf(int code) {
   return code >= 0 && code < 6 ? kSpaces[code] : "code " + std::to_string(code);
 }
 
-/// Lengths as the header states them; unknown ones are mm, as all programs take them.
+/// Converts lengths from the header's unit to mm; an unknown unit is taken as mm, as other programs do.
 Eigen::Affine3d inMillimetres(Eigen::Affine3d affine, int units) {
   const double scale = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
   affine.linear() *= scale;

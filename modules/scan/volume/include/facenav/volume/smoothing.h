@@ -1,5 +1,5 @@
 #pragma once
-// Light smoothing on the grid: removes the steps of a mask and the noise of single voxels.
+// Light smoothing on the grid, which removes the steps of a mask and the noise of single voxels.
 
 #include "facenav/volume/volume.h"
 
