@@ -12,8 +12,7 @@ namespace facenav::atlas {
 struct Channels {
   ScalarField t1, brain;
 };
-constexpr float kBrainWeight =
-    1.0f;  // weight of the mask channel relative to the T1 channel (unit deviation)
+constexpr float kBrainWeight = 1.0f;  // of the mask channel, relative to the T1 channel (unit deviation)
 
 /// Template and patient, band-limited to the finest spacing. Computed once for all levels.
 struct BrainImages {

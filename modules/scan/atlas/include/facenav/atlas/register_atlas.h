@@ -27,10 +27,9 @@ struct AtlasOptions {
 
 /// How well the registration fits. It is shown to the user, and labels are refused if the fit is poor.
 struct AtlasQuality {
-  double correlation_affine = 0,
-         correlation = 0;        // correlation of the locally normalised T1 inside the brain, -1..1
-  double dice = 0;               // overlap of both brains after the warp
-  double smallest_jacobian = 0;  // > 0: invertible everywhere on the grid
+  double correlation_affine = 0, correlation = 0;  // locally normalised T1 inside the brain, -1..1
+  double dice = 0;                                 // overlap of both brains after the warp
+  double smallest_jacobian = 0;                    // > 0: invertible everywhere on the grid
   bool isUsable() const { return dice > 0.9 && correlation > 0.3 && smallest_jacobian > 0; }
 };
 
