@@ -12,12 +12,12 @@ namespace facenav::dicom {
 namespace {
 
 constexpr double kSamePlace_mm = 0.01;
-constexpr double kSpacingTolerance = 0.02;  // of the spacing; scanners write positions with 2 to 7 decimals
+constexpr double kSpacingTolerance = 0.02;  // relative; scanners write positions with 2 to 7 decimals
 constexpr double kSpacingTolerance_mm = 0.005;
 constexpr double kLargestShear_rad = 0.1 * kRadPerDeg;
 constexpr double kLargestSideStep_mm = 0.1;
 constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts as an error
-constexpr double kLargestDrift = 0.1;     // of the spacing: distance of a slice from the even grid
+constexpr double kLargestDrift = 0.1;     // share of the spacing: distance of a slice from the even grid
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
