@@ -21,7 +21,8 @@ volume::Volume halved(const volume::Volume& volume, int first = 0);
 /// Throws Error "no brain can be modelled: ..." where no head-sized object is there.
 BrainStart findBrainStart(const volume::Volume& working);
 /// Moves `start` to the ball of the brain itself, found by growing a rough surface: top and girth depend on
-/// the head's position in the scanner, this ball does not. Throws Error likewise, and Cancelled.
+/// the head's position in the scanner, this ball does not. Throws Error as findBrainStart() does, and
+/// Cancelled.
 BrainStart centredOnBrain(const volume::Volume& working, const BrainStart& start, double fractional_threshold,
                           TaskMonitor& monitor);
 

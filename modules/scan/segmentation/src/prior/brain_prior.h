@@ -10,19 +10,20 @@
 namespace facenav::segmentation {
 
 struct BrainPrior {
-  // 0..1, RAS grid of 2 mm, the last window's extent. Air: also pads, earphones and haze.
+  // Shares 0..1 on a RAS grid of 2 mm with the extent of the last window. Air: also pads, earphones and haze.
   volume::Volume brain, fluid, air;
-  volume::Mask mask() const;  // 0.5 and more, in one piece, without holes
+  volume::Mask mask() const;  // Voxels of 0.5 and more, in one piece, without holes.
 };
 
-/// `working`: RAS, voxels of 1 mm, air about 0. Nothing where the network sees less brain than an infant's.
+/// Finds the brain. `working`: RAS, voxels of 1 mm, air about 0. nullopt if the network sees less brain than
+/// an infant's.
 std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const volume::Volume& working);
 
-/// Data/brain_prior/weights.fnbp, read once in a process; null where the file is missing or damaged.
+/// Data/brain_prior/weights.fnbp, read once in a process; null if the file is missing or damaged.
 /// FACENAV_DATA names another Data folder.
 struct InstalledPrior {
   std::optional<PriorNetwork> network;
-  std::string fault;  // why there is none
+  std::string fault;  // reason why there is no prior
 };
 const InstalledPrior& installedPrior();
 
