@@ -87,7 +87,7 @@ std::optional<int> furthest(const Outline& line, int from, int to, const Vector2
   return best;
 }
 
-/// How far each point stands out from a chord of a nose's length; the chord is shorter at the outline's ends.
+/// Height of each point above a chord of a nose's length; the chord is shorter at the outline's ends.
 std::vector<double> prominences(const Outline& line) {
   constexpr double kReach_mm = 28;
   std::vector<double> out(line.size(), 0.0);

@@ -1,7 +1,7 @@
 #pragma once
 // The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. Used to
-// find the nose (nose.h) and to tell a face from a defaced scan (surface's face check). Coarse cells from
-// points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
+// find the nose (nose.h) and to distinguish a face from a defaced scan (surface's face check). Coarse cells
+// from points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
 
 #include <Eigen/Core>
 #include <limits>

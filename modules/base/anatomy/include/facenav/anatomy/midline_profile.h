@@ -17,8 +17,8 @@ struct MidlineProfile {
   Outline front, back;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // inside the cranium
 };
-/// `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x = 0; `triangles`:
-/// their indices.
+/// Profile of a head. `head_mm`: vertices of the skin in the head frame, where the plane of symmetry is x =
+/// 0; `triangles`: their indices.
 MidlineProfile midlineProfile(const std::vector<Eigen::Vector3d>& head_mm,
                               const std::vector<Eigen::Vector3i>& triangles);
 

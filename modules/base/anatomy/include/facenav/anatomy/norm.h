@@ -8,7 +8,7 @@ namespace facenav::anatomy {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// If no source was found for a range, `source` says so.
+/// If no source was found for a range, `source` contains that.
 struct Norm {
   const char* what;        // "brain with cerebellum"
   const char* unit;        // "mm", "ml", "1"

@@ -17,7 +17,7 @@
 
 namespace facenav::anatomy {
 
-/// How far the midline stands out from both sides, 30 mm away, mm; FrontRelief::kNone where unknown.
+/// Height of the midline above both sides, 30 mm away, mm; FrontRelief::kNone if unknown.
 double prominence_mm(const FrontRelief& relief, int midline, int row);
 /// Mean Mri y of both sides at `beside_mm` from the midline; FrontRelief::kNone where one has no skin.
 double sides_mm(const FrontRelief& relief, int midline, int row, double beside_mm);
