@@ -21,7 +21,7 @@ struct ChildOptions {
   bool ignores_terminal = false;      // own process group: the parent handles Ctrl-C
 };
 
-/// How a child ended.
+/// End of a child process.
 struct ChildEnd {
   int exit_status = -1;  // -1: a signal ended it
   int signal = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Grouped: items sorted by their owner, such as the neighbours of each vertex. Two arrays hold all of them;
+// Grouped: items sorted by their owner, such as the neighbours of each vertex. All are stored in two arrays;
 // there is no list per owner.
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 #pragma once
-// Which SIMD instructions the kernels run on. A kernel is one file of plain loops or intrinsics, compiled for
-// the platform's base set (x_kernel_base.cpp) and for AVX2 with FMA (x_kernel_avx2.cpp); CMake's
-// facenav_add_kernel gives both files their flags, and chooseKernel takes one of them here, once.
-// Trap: an inline function that an AVX2 file includes may be emitted with AVX2 and then linked into the whole
-// program. Kernel headers therefore hold plain data and raw pointers, and only the base file includes this
-// one.
+// Chooses the SIMD instructions of the kernels. A kernel is one file of plain loops or intrinsics, compiled
+// for the platform's base set (x_kernel_base.cpp) and for AVX2 with FMA (x_kernel_avx2.cpp); CMake's
+// facenav_add_kernel gives both files their flags, and chooseKernel takes one of them here, once. Trap: an
+// inline function that an AVX2 file includes may be emitted with AVX2 and then linked into the whole program.
+// Kernel headers therefore hold plain data and raw pointers, and only the base file includes this one.
 
 #include <optional>
 #include <string>

@@ -12,7 +12,7 @@
 namespace facenav {
 inline namespace core {
 
-/// Why a track is lost; named as in FORMATS.md (poses.csv).
+/// Reason why a track is lost; named as in FORMATS.md (poses.csv).
 enum class LostReason { no_face, few_features, no_marker, high_residual, camera, stale };
 
 std::string toString(LostReason reason);
