@@ -25,7 +25,7 @@ struct AtlasOptions {
   }
 };
 
-/// How well the registration fits. It is shown to the user, and labels are refused if the fit is poor.
+/// Quality of a registration. It is shown to the user, and labels are refused if the fit is poor.
 struct AtlasQuality {
   double correlation_affine = 0, correlation = 0;  // locally normalised T1 inside the brain, -1..1
   double dice = 0;                                 // overlap of both brains after the warp
