@@ -107,8 +107,8 @@ void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,
   if (is_whole) info.frames.clear();
 }
 
-/// Returns the fault; or "localizer" for images in several directions, or a single one, whose description
-/// says so.
+/// Returns the fault; or "localizer" for images in several directions, or a single one, with that
+/// description.
 Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
   const std::string words = lower(info.description);
   for (const char* word : {"localizer", "localiser", "scout", "survey", "pilot", "loc"})

@@ -175,7 +175,7 @@ class Stacker {
 
   /// The step that dcm2niix takes for even slices: the gap between the two slices acquired first, in 32 bits,
   /// along the normal. It differs from the mean gap by micrometres, and puts voxels where dcm2niix puts them.
-  /// Where rounded positions would make this misplace a slice, the mean gap is used.
+  /// If rounded positions would make this misplace a slice, the mean gap is used.
   std::string chooseStep() {
     const auto number = [&](const Placed& slice) { return headers_[slice.image.header].instance_number; };
     const bool is_backwards = number(slices_.front()) > number(slices_.back());

@@ -30,15 +30,15 @@ enum class SeriesProblem {
 /// none.
 const char* idOf(SeriesProblem problem);
 
-/// One volume that a series holds, or would hold. A series whose UID covers several volumes (echoes,
-/// magnitude and phase, stacks) gives one entry each, distinguished by `part`.
+/// One volume of a series, or a series without a loadable volume. A series whose UID covers several volumes
+/// (echoes, magnitude and phase, stacks) gives one entry each, distinguished by `part`.
 struct SeriesInfo {
   std::string series_uid, study_uid;
   std::string id;                           // value for --series: the UID, with "#2", "#3" for further parts
   std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
-  std::string part;                    // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
-  std::optional<JoinedSlices> joined;  // the slices carry different UIDs and were joined
-  bool is_magnitude_part = false;      // the other parts of the UID show that this one is magnitude
+  std::string part;                         // "echo 4.92 ms", "phase", ..; empty if the UID has one volume
+  std::optional<JoinedSlices> joined;       // the slices carry different UIDs and were joined
+  bool is_magnitude_part = false;           // the other parts of the UID show that this one is magnitude
   bool has_contrast_agent = false;
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty: unknown
   int series_number = 0;
@@ -66,7 +66,7 @@ struct SeriesInfo {
 
 /// Lists every series under `folder` (recursively) or of the one given file, the recommended one first. A
 /// DICOMDIR means its folder. Files other than DICOM are skipped. Throws Error when the path does not exist
-/// or holds no DICOM.
+/// or contains no DICOM.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
 
 /// Loads the volume. Throws Error naming the file: missing slice, unequal spacing, mixed orientation,
