@@ -12,8 +12,8 @@ struct BrainStart {
   BetIntensities intensities;
 };
 
-/// `volume` minus its robust minimum, so that air is about 0, on a RAS grid of cubic voxels with some
-/// millimetres of air around it. All later steps use this volume. Non-finite values count as air.
+/// Working volume: `volume` minus its robust minimum, so that air is about 0, on a RAS grid of cubic voxels
+/// with some millimetres of air around it. All later steps use this volume. Non-finite values count as air.
 volume::Volume workingVolume(const volume::Volume& volume, double spacing_mm);
 /// Mean of 2 x 2 x 2 voxels, from voxel (first, first, first) on.
 volume::Volume halved(const volume::Volume& volume, int first = 0);

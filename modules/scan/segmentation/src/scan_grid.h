@@ -5,7 +5,7 @@
 
 namespace facenav::segmentation {
 
-/// The part of the mask's grid that holds the mask, with a margin that may lie beyond it.
+/// The part of the mask's grid that contains the mask, with a margin that may lie beyond it.
 volume::VoxelGrid partAround(const volume::Mask& mask, double margin_mm);
 /// Resamples by the level of the smoothed mask: the working grid is rotated against the scan's, and its steps
 /// would leave a pattern.

@@ -7,8 +7,8 @@
 
 namespace facenav::segmentation {
 
-/// `prior` (of four views) with its brain's shares averaged over eight more views of `working`. Takes about a
-/// second on two cores. The shares of fluid and air do not change.
+/// Returns `prior` (of four views) with its brain's shares averaged over eight more views of `working`. Takes
+/// about a second on two cores. The shares of fluid and air do not change.
 BrainPrior averagedPrior(const PriorNetwork& network, const volume::Volume& working, BrainPrior prior);
 
 /// Curve that changes a window's values. The inverse leaves air dark.

@@ -1,7 +1,7 @@
 #pragma once
-// The learned brain prior of a scan of any contrast: how probable brain (tissue with closed sulci) is at each
-// place. The network sees a window of 192 x 224 x 192 mm. Windows side by side cover the scan; the one that
-// holds most brain is moved until the brain is in its middle, whatever neck, shoulders or air the scan holds.
+// The learned brain prior of a scan of any contrast: the probability of brain (tissue with closed sulci) at
+// each place. The network sees a window of 192 x 224 x 192 mm. Windows side by side cover the scan; the one
+// with most brain is moved until the brain is in its middle, whatever neck, shoulders or air the scan holds.
 
 #include <optional>
 

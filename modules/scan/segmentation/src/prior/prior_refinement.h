@@ -14,7 +14,7 @@ struct RefinedPrior {
 };
 
 /// Refines by the intensities inside and outside of the outline, on the part of the grid of `working` that
-/// holds the brain. Returns the mask alone, with which growth is compared.
+/// contains the brain. Returns the mask alone, with which growth is compared.
 volume::Mask refinedMask(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);
 /// Refines as refinedMask(), and adds the doubts.
 RefinedPrior refinedPrior(const volume::Volume& working, const BrainPrior& prior, const PriorUse& use);

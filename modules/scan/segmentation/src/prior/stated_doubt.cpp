@@ -9,9 +9,9 @@
 namespace facenav::segmentation {
 namespace {
 
-// Model and maps were fitted on painted heads that the network never saw; Data/brain_prior/README.md has the
-// data. FLAIR uses the map of proton density: a map of its own did worse on held-out heads. Larger doubts are
-// the safe direction.
+// Model and maps were fitted on painted heads that the network never saw (evidence:
+// resources/doc/evidence.md). FLAIR uses the map of proton density: a map of its own did worse on held-out
+// heads. Larger doubts are the safe direction.
 constexpr float kPriorWidth = 0.054f, kMoved = 0.031f, kFitWidth = 0.151f;  // least squares, none below 0
 constexpr float kMostFitWidth_mm = 20;
 constexpr float kOfScan = 0.75f;  // share of a scan's own level of scores that is subtracted

@@ -40,9 +40,9 @@ class Segmenter {
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
 /// the learned prior, where both agree; otherwise, and in any other contrast of MR, the prior's outline
-/// fitted to the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without
-/// the prior's weights: growth from BET's surface alone, and no brain in a CT. An MR in which the prior sees
-/// no brain: the same growth. A warning says both.
+/// fitted to the scan (with a warning); in a CT of the head the prior's outline within the skull. Without the
+/// prior's weights: growth from BET's surface alone, and no brain in a CT. An MR in which the prior sees no
+/// brain: the same growth. Both give a warning.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 /// "prior": the learned brain prior's outline (Data/brain_prior), fitted to the scan; any contrast of MR.
