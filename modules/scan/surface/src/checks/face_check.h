@@ -11,7 +11,7 @@ namespace facenav::surface {
 
 struct FaceCheck {
   bool has_face = false;
-  bool has_cut_ear = false;           // true: the last of `findings` says so
+  bool has_cut_ear = false;           // true: the last of `findings` describes it
   std::vector<std::string> findings;  // plain words, most important first
 };
 

@@ -59,7 +59,8 @@ struct BrainModelOptions {
   }
 };
 
-/// `brain`: a mask on any grid. Throws Error for an empty mask and for options out of range.
+/// Builds the model. `brain`: a mask on any grid. Throws Error for an empty mask and for options out of
+/// range.
 BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& brain,
                            const BrainModelOptions& options, TaskMonitor& monitor);
 /// The mesh of a map: 2-D Delaunay triangulation in the phi-theta plane, closed at seam and poles.

@@ -41,7 +41,7 @@ class ScalpLandmarks {
   const std::optional<ScalpLandmark>& operator[](Landmark which) const { return all_[std::size_t(which)]; }
   std::optional<ScalpLandmark>& operator[](Landmark which) { return all_[std::size_t(which)]; }
   bool isComplete() const;
-  /// Returns a known landmark. Throws Error that says how to set it if it is not known.
+  /// Returns a known landmark. Throws Error with advice on setting it if it is not known.
   const ScalpLandmark& known(Landmark which) const;
 
  private:

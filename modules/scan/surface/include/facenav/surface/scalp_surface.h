@@ -39,7 +39,7 @@ struct ScalpSurface {
   /// them.
   std::vector<std::pair<Point<Mri>, Direction<Mri>>> field_of_view;
   bool has_face = false;              // nose, brow and eye sockets are there to align to
-  bool has_cut_ear = false;           // the last of `findings` says so; it does not concern the face
+  bool has_cut_ear = false;           // the last of `findings` describes it; it does not concern the face
   std::vector<std::string> findings;  // plain words: "nose tip cut by the scan's edge"
   /// nullopt: the skin of a scan (or a face that was measured before this was stored).
   std::optional<FaceMeasurement> measurement = {};

@@ -22,11 +22,11 @@ struct TractLines {
   std::size_t begin(std::size_t line) const { return line == 0 ? 0 : ends[line - 1]; }
 };
 
-/// True for ".trk", ".tck", ".trx". (.vtk and .vtp contain lines or a surface; the file itself tells which.)
+/// True for ".trk", ".tck", ".trx". (.vtk and .vtp contain lines or a surface; the content decides.)
 bool isTractName(const std::filesystem::path& path);
 
 /// Reads tracts in any of these formats. trk: the voxel order and vox_to_ras of its header are applied. vtk:
-/// RAS, or LPS where its title says SPACE=LPS. Throws Error naming the file: missing, damaged, cut short, no
+/// RAS, or LPS if its title contains SPACE=LPS. Throws Error naming the file: missing, damaged, cut short, no
 /// line, no place in space.
 TractLines readTracts(const std::filesystem::path& path);
 
