@@ -26,7 +26,7 @@ void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) 
     throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
 }
 
-/// The coordinate space that an xform code stands for (nifti1.h).
+/// The coordinate space of an xform code (nifti1.h).
 std::string spaceOf(int code) {
   constexpr const char* kSpaces[] = {"absent",    "scanner", "aligned to another scan",
                                      "Talairach", "MNI",     "template"};

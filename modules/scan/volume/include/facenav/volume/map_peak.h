@@ -1,6 +1,6 @@
 #pragma once
-// The peak of a statistical map (fMRI) inside a ball: where to aim. World coordinates of the map's own space,
-// Mri or MNI, as its header says.
+// The peak of a statistical map (fMRI) inside a ball, as an aim. World coordinates of the map's own space,
+// Mri or MNI, by its header.
 
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/volume.h"

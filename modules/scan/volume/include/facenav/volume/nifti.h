@@ -1,8 +1,8 @@
 #pragma once
 // Reads and writes NIfTI-1 (through niftiio, the reference implementation). World coordinates are RAS mm:
-// from sform if its code is > 0, else from qform. The result states which one was used and whether the two
+// from sform if its code is > 0, else from qform. The result contains which one was used and whether the two
 // disagree. Lengths in metres or micrometres become mm. If they disagree about left and right or about the
-// size of the head, the warning says so; a case keeps it as a finding that its sign-off must acknowledge.
+// size of the head, the warning reports it; a case keeps it as a finding that its sign-off must acknowledge.
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace facenav::volume {
 
-/// Which of a file's two voxel-to-world maps to use.
+/// Choice between a file's two voxel-to-world maps.
 enum class NiftiTransform { automatic, sform, qform };
 /// Parses "automatic", "sform", "qform"; throws Error for any other word.
 NiftiTransform niftiTransformNamed(const std::string& name);
