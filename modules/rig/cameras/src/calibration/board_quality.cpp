@@ -46,7 +46,7 @@ struct QualitySamples {
   std::vector<double> widths_px, whites, blacks, squares_px;
 };
 
-/// One edge, crossed in its middle at a right angle, `span` squares to either side.
+/// Adds one edge, crossed in its middle at a right angle, `span` squares to either side.
 void addEdge(const cv::Mat& image, cv::Point2f a, cv::Point2f b, float span, QualitySamples& samples) {
   const cv::Point2f edge = b - a, across(-edge.y * span, edge.x * span), middle = 0.5F * (a + b);
   auto values = profile(image, middle - across, middle + across);

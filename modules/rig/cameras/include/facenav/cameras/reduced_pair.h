@@ -1,6 +1,6 @@
 #pragma once
 // Pictures and cameras at a half, a quarter, .. of their size. Plain skin has a coarse texture; it is matched
-// better in smaller pictures, since the matcher's window then holds more of it.
+// better in smaller pictures, since the matcher's window then covers more of it.
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
