@@ -19,7 +19,7 @@ std::string firstLineOf(const fs::path& path) {
   return line;
 }
 
-/// Number of /dev/video<n>; -1: another device, or an entry that holds a camera's metadata.
+/// Number of /dev/video<n>; -1: another device, or an entry for a camera's metadata.
 int pictureDevice(const fs::path& entry) {
   const std::string name = entry.filename(), digits = name.substr(std::min<std::size_t>(5, name.size()));
   const bool is_video = name.rfind("video", 0) == 0 && !digits.empty() && digits.size() < 5 &&

@@ -27,7 +27,7 @@ struct PairTiming {
 
 class PictureMatcher {
  public:
-  /// `interval_s`: expected time between two pictures of a camera; measured from then on.
+  /// `interval_s`: expected time between two pictures of a camera; it is measured from then on.
   explicit PictureMatcher(double interval_s);
   /// Adds pictures of one side, in the order of their times. At most 8 a side wait for a partner; older ones
   /// are left out.

@@ -48,7 +48,7 @@ struct NamedRig {
   std::optional<MeasuredRowTimes> row_times;  // in `rig` they replace the calibration's own
 };
 
-/// A folder of the store; `problem` says why it cannot be read.
+/// A folder of the store; `problem`: the reason why it cannot be read.
 struct RigEntry {
   std::string name;
   std::filesystem::path folder;
