@@ -19,7 +19,7 @@ constexpr std::size_t kNeighbours = 8;
 // Disparity gradient of a surface slanted by 60 degrees in front of cameras 30 degrees apart: one half.
 constexpr double kDisparityGradient = 0.5, kNear_px = 4.0;
 constexpr double kCornerSpacing_px = 5;
-constexpr int kPatch_px = 61;             // holds the coarse patch of matchPatch and its gradients
+constexpr int kPatch_px = 61;             // covers the coarse patch of matchPatch and its gradients
 constexpr double kBackAndForth_px = 0.7;  // largest error of a match that is searched back in the left image
 constexpr double kSlant_px = 0.1;         // error of a plane patch on curved skin
 

@@ -11,7 +11,7 @@
 
 namespace facenav::health {
 
-/// The same corners of a board in both pictures.
+/// Corners of a board that both pictures show, in the same order.
 struct BoardPair {
   std::vector<cv::Point2f> left_px, right_px;
   std::vector<cv::Point3f> board_mm;

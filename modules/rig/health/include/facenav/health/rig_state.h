@@ -27,7 +27,7 @@ bool isFault(RigState state);
 /// True if the cameras' geometry is not the calibration's: moved, other cameras, swapped.
 bool isWrongGeometry(RigState state);
 
-/// What a check of a camera pair found, and what to do about it.
+/// Finding of a check of a camera pair, with advice.
 struct RigVerdict {
   RigState state = RigState::unclear;
   std::string finding, advice;  // "the cameras have moved ..", "calibrate again"; either may be empty
