@@ -35,8 +35,8 @@ MaybePoint innerCorner(const SkinRelief& front, const Vector3d& nasion, int side
   return best;
 }
 
-/// The place beside the inner corner where the closed lid lies furthest to the front. Nothing when that is an
-/// end of the search: then brow or cheek hide it.
+/// The place beside the inner corner where the closed lid lies furthest to the front. nullopt if it is an end
+/// of the search: brow or cheek then hide it.
 MaybePoint lidCentre(const SkinRelief& front, const Vector3d& inner, int side) {
   constexpr double kNearest_mm = 7, kFurthest_mm = 26;
   double most_mm = -1e6, at_mm = 0;

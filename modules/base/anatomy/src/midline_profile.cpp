@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kBins = 1080;  // of the full turn about a point inside the cranium
+constexpr int kBins = 1080;  // directions in the full turn about a point inside the cranium
 
-/// Where the plane x = 0 cuts the triangles' edges, as (front, up).
+/// Points (front, up) where the plane x = 0 cuts the triangles' edges.
 std::vector<Vector2d> cutPoints(const std::vector<Vector3d>& head_mm,
                                 const std::vector<Eigen::Vector3i>& triangles) {
   std::vector<Vector2d> points;
@@ -76,7 +76,7 @@ double outwards(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   return Vector2d(-along.y(), along.x()).dot(p - a);
 }
 
-/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). Nothing below
+/// The point of [from, to) furthest from the line a-b: outwards (sign 1) or inwards (-1). nullopt below
 /// `least_mm`.
 std::optional<int> furthest(const Outline& line, int from, int to, const Vector2d& a, const Vector2d& b,
                             double sign, double least_mm) {
@@ -87,7 +87,7 @@ std::optional<int> furthest(const Outline& line, int from, int to, const Vector2
   return best;
 }
 
-/// How far each point stands out from a chord of a nose's length; the chord is shorter at the outline's ends.
+/// Height of each point above a chord of a nose's length; the chord is shorter at the outline's ends.
 std::vector<double> prominences(const Outline& line) {
   constexpr double kReach_mm = 28;
   std::vector<double> out(line.size(), 0.0);
@@ -100,7 +100,7 @@ std::vector<double> prominences(const Outline& line) {
 }
 
 /// The nose tip: from above, the first point that stands out enough and has a hollow above it (the nose's
-/// root). Forehead and brow have no such hollow; mouth and chin lie below. Empty when no point qualifies, or
+/// root). Forehead and brow have no such hollow; mouth and chin lie below. nullopt if no point qualifies, or
 /// the scan ends above it.
 std::optional<int> noseTip(const Outline& line) {
   constexpr double kLength_mm = 60, kLeast_mm = 7, kHollow_mm = 2.5, kNext_mm = 25;
@@ -116,7 +116,7 @@ std::optional<int> noseTip(const Outline& line) {
   return best;
 }
 
-/// Whether the head is tilted so far back (some 70 degrees) that its nose lies on the outline's first part,
+/// True if the head is tilted so far back (some 70 degrees) that its nose lies on the outline's first part,
 /// where it is not searched: `tip` is then the chin. An upright head's crown stands out a third as far as its
 /// nose.
 bool hasNoseAtCrown(const Outline& line, int tip) {
@@ -126,7 +126,7 @@ bool hasNoseAtCrown(const Outline& line, int tip) {
   return crown_mm > kCrownShare * out_mm[std::size_t(tip)];
 }
 
-/// Where the nose meets the lip: the deepest corner below the tip, within the depth of a nose.
+/// Base of the nose: the deepest corner between nose and lip below the tip, within the depth of a nose.
 std::optional<int> noseBase(const Outline& line, int tip) {
   constexpr double kReach_mm = 12, kLeast_mm = 2;
   std::optional<int> best;
@@ -168,8 +168,8 @@ std::optional<Vector2d> backOfHead(const MidlineProfile& profile, const Vector2d
   return best;
 }
 
-/// The point below the back of the head that stands out most from the chord to the nape. Nothing when the
-/// scan ends too soon below it.
+/// The point below the back of the head that stands out most from the chord to the nape. nullopt if the scan
+/// ends too soon below it.
 std::optional<Vector2d> bendToTheNeck(const Outline& back, const Vector2d& opisthocranion) {
   constexpr double kNearest_mm = 12, kFurthest_mm = 62, kNape_mm = 75, kLeastNape_mm = 55, kLeast_mm = 1.0;
   Outline line = back;

@@ -5,7 +5,7 @@
 namespace facenav::anatomy {
 namespace {
 
-/// How far the cell stands out from the skin beside it; both sides are needed. kNone where one is missing.
+/// Height of the cell above the skin beside it; both sides are needed. kNone if one is missing.
 double protrusion_mm(const FrontRelief& relief, int row, int column) {
   const double here = relief.at(row, column);
   if (here == FrontRelief::kNone) return FrontRelief::kNone;
@@ -72,7 +72,7 @@ Eigen::Vector3d findNoseTip(const std::vector<Eigen::Vector3d>& skin_mm) {
   for (int row = 0; row < relief.rows(); ++row)
     for (int column = 0; column < relief.columns(); ++column)
       if (isNose(row, column)) foremost = std::max(foremost, relief.at(row, column));
-  // Where the scan's edge cuts the nose off, the middle of the flat rim is used.
+  // If the scan's edge cuts the nose off, the middle of the flat rim is used.
   constexpr double kTip_mm = 1.5;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 struct View {
   int across, up, toward;
-  double sign;  // of `toward`
+  double sign;  // direction of `toward` along its axis
 };
 View viewOf(Side side) {
   if (side == Side::front) return {0, 2, 1, 1.0};

@@ -19,7 +19,7 @@ void trimEnd(std::string& field, std::size_t from) {
   while (field.size() > from && isBlank(field.back())) field.pop_back();
 }
 
-/// Fields of one line. A field may be in double quotes, in which "" stands for one quote.
+/// Fields of one line. A field may be in double quotes, in which "" means one quote.
 std::vector<std::string> split(const std::string& line, bool allows_blanks) {
   std::vector<std::string> fields(1);
   std::size_t quoted = 0;  // characters of the field that were in quotes

@@ -6,9 +6,9 @@ namespace facenav {
 inline namespace core {
 namespace {
 
-constexpr std::size_t kLeastBeginning = 3;  // letters that are enough to know a name by its beginning
+constexpr std::size_t kLeastBeginning = 3;  // fewest letters that identify a name by its beginning
 
-/// Letters that a word of this length may be off.
+/// Greatest number of wrong letters in a word of this length.
 std::size_t allowedLetters(std::size_t length) { return length <= 4 ? 1 : length <= 8 ? 2 : 3; }
 
 bool isBeginning(const std::string& word, const std::string& name) {

@@ -16,7 +16,7 @@ namespace {
 
 std::string afterPoint(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// The whole text as a finite number with a decimal point, whatever the locale.
+/// Parses the whole text as a finite number with a decimal point, in any locale.
 bool isNumber(const std::string& text, double& value) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
@@ -50,7 +50,7 @@ void SettingsTable::add(SettingEntry entry) {
 }
 
 std::string SettingsTable::nearestKey(const std::string& wrong) const {
-  // Of the name alone, too: a forgotten or wrong module is no long way.
+  // Compares the name alone too, so that a forgotten or wrong module adds no distance.
   const auto apart = [&wrong](const SettingEntry& entry) {
     return std::min(lettersApart(wrong, entry.key()),
                     1 + lettersApart(afterPoint(wrong), entry.setting.name));

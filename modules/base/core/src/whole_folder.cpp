@@ -14,7 +14,7 @@ inline namespace core {
 namespace fs = std::filesystem;
 namespace {
 
-/// "out/" has an empty file name.
+/// Path without its last slash: "out/" has an empty file name.
 fs::path withoutLastSlash(const fs::path& folder) {
   return folder.has_filename() || !folder.has_parent_path() ? folder : folder.parent_path();
 }
@@ -30,7 +30,7 @@ void makePrivate(const fs::path& folder) {
       refuseWriting(entry.path());
 }
 
-/// For file systems that cannot swap two folders: the old one is moved aside first.
+/// Moves the old folder aside first, for file systems that cannot swap two folders.
 void replaceInTwoSteps(const fs::path& fresh, const fs::path& folder) {
   const fs::path aside = fresh.string() + "_old";
   if (::rename(folder.c_str(), aside.c_str()) != 0) refuseWriting(folder);
@@ -49,7 +49,7 @@ void replace(const fs::path& fresh, const fs::path& folder) {
     if (::rename(fresh.c_str(), folder.c_str()) != 0) refuseWriting(folder);
   } else if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
     std::error_code ignored;
-    fs::remove_all(fresh, ignored);  // now holds the old content
+    fs::remove_all(fresh, ignored);  // now contains the old content
   } else {
     replaceInTwoSteps(fresh, folder);
   }

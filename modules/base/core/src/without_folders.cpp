@@ -16,12 +16,12 @@ bool startsAbsolutePath(const std::string& words, std::size_t at) {
   return at == 0 || isIn(kBeforePath, words[at - 1]);
 }
 
-/// Error writes "where: what happened; what to do".
+/// True at the start of a clause of an Error: "where: what happened; what to do".
 bool startsClause(const std::string& words, std::size_t at) {
   return at >= 2 && isIn(kBlanks, words[at - 1]) && isIn(":;", words[at - 2]);
 }
 
-/// "3/10", "mm/s", "12/05/2026": each part is a number or has at most three letters.
+/// True for "3/10", "mm/s", "12/05/2026": each part is a number or has at most three letters.
 bool isFraction(const std::string& word) {
   std::size_t begin = 0;
   while (begin <= word.size()) {
@@ -35,7 +35,8 @@ bool isFraction(const std::string& word) {
   return true;
 }
 
-/// From the first word that is a path to the last '/' of the last one. A folder's name may hold blanks.
+/// Removes the text from the first word that is a path to the last '/' of the last one. A folder's name may
+/// contain blanks.
 std::string withoutRelativeFolders(std::string words) {
   std::size_t first = std::string::npos, after = 0;
   for (std::size_t begin = 0; begin < words.size();) {

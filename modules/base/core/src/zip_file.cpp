@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t(8) << 30;  // of one entry, unpacked
+constexpr std::uint64_t kMostBytes = std::uint64_t(8) << 30;  // limit of one entry, unpacked
 constexpr double kMostDeflated = 1040;                        // deflate's limit is 1032
-constexpr std::time_t kOneDate = 1704067200;                  // 2024-01-01: an archive tells no date
+constexpr std::time_t kOneDate = 1704067200;  // 2024-01-01 for every entry: the archive reveals no date
 
 struct Discard {
   void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -36,7 +36,7 @@ std::string wordsOf(zip_error_t& error) {
   return words;
 }
 
-/// An archive in memory. It holds a reference to `source`.
+/// An archive in memory. It keeps a reference to `source`.
 Archive opened(zip_source_t* source, int flags, const fs::path& path) {
   zip_error_t error;
   zip_error_init(&error);
@@ -88,7 +88,7 @@ void addTo(zip_t* archive, const std::string& name, const std::string& content, 
   source.release();  // the archive owns it now
 }
 
-/// What was written into `source`.
+/// Content written into `source`.
 std::string writtenInto(zip_source_t* source, const fs::path& path) {
   zip_stat_t stat;
   std::string bytes;

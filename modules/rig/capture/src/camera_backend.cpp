@@ -14,7 +14,7 @@ ModelAndSerial modelAndSerial(const CameraIdentity& camera) {
   return {camera.backend, camera.model, camera.serial};
 }
 
-// Cheap cameras carry the same serial number on every piece.
+// Removes serial numbers that cheap cameras share among all units.
 void removeSharedSerials(std::vector<FoundCamera>& found) {
   std::map<ModelAndSerial, int> count;
   for (const auto& camera : found) ++count[modelAndSerial(camera.identity)];
@@ -49,7 +49,7 @@ bool isSameModel(const CameraIdentity& a, const CameraIdentity& b) {
   return a.backend == b.backend && a.model == b.model && !a.model.empty();
 }
 
-/// Two equal cameras that only their port tells apart.
+/// Two equal cameras that differ only in their port.
 const FoundCamera* twinWithoutSerial(const std::vector<FoundCamera>& found) {
   for (const auto& a : found)
     for (const auto& b : found)

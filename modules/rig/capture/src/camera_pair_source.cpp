@@ -10,9 +10,9 @@
 namespace facenav::capture {
 namespace {
 
-constexpr double kNoteworthyDelay_s = 0.002;  // a head turns by less than 0.1 deg meanwhile
+constexpr double kNoteworthyDelay_s = 0.002;  // meanwhile a head turns by less than 0.1 deg
 
-/// One side: when its last picture arrived, and why no more come.
+/// State of one side: arrival of its last picture, and the reason why no more come.
 struct PairSide {
   double last_arrival_s = 0.0;
   std::exception_ptr failure;
@@ -107,7 +107,7 @@ void LivePair::failSilent() {
                     "check the cable; then open the cameras again");
 }
 
-/// Both at once, at the wanted rate.
+/// Triggers both cameras together, at the wanted rate.
 void LivePair::triggerBoth() {
   if (settings_.left.trigger != Trigger::software || Timestamp::now().s < next_trigger_s_) return;
   next_trigger_s_ = Timestamp::now().s + 1.0 / settings_.left.frames_per_s;
@@ -132,7 +132,7 @@ std::optional<PicturePair> LivePair::waitForPair() {
   failSilent();
 }
 
-/// Null at the end of a file.
+/// Next pair; null at the end of a file.
 std::shared_ptr<const cameras::StereoFrame> LivePair::next() {
   std::optional<PicturePair> pair;
   try {

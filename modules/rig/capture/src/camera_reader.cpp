@@ -3,7 +3,7 @@
 namespace facenav::capture {
 namespace {
 
-constexpr double kReadingStep_s = 0.1;  // how long a stop may wait for the thread
+constexpr double kReadingStep_s = 0.1;  // longest time that a stop waits for the thread
 
 }  // namespace
 

@@ -23,7 +23,7 @@ class CameraReader {
   CameraReader& operator=(const CameraReader&) = delete;
 
   const CameraIdentity& identity() const { return identity_; }
-  /// As of the newest picture.
+  /// State as of the newest picture.
   CameraState state() const;
   PictureCounts counts() const;
   /// Asks the camera for one picture, soon after (Trigger::software).

@@ -6,12 +6,12 @@
 namespace facenav::capture {
 namespace {
 
-constexpr double kWindow_s = 2.0;  // 50 ppm of drift are 0.1 ms in it
+constexpr double kWindow_s = 2.0;  // 50 ppm of drift are 0.1 ms in this window
 // A smaller change of the least delay is a change of the transport, not a jump of the clock.
 constexpr double kJump_s = 0.05;
 constexpr double kTick_s = 1e-6;
-constexpr double kMostDrift = 200e-6;       // of two clocks against each other
-constexpr double kTransportGrows_s = 0.02;  // by a busier line; more than that is a late picture
+constexpr double kMostDrift = 200e-6;       // largest drift of two clocks against each other
+constexpr double kTransportGrows_s = 0.02;  // by a busier line; a larger growth is a late picture
 constexpr double kLate_s = 0.5;
 
 }  // namespace
@@ -22,7 +22,7 @@ double ClockMap::leastDelay_s() const {
   return least_s;
 }
 
-/// Between two pictures, by the device's clock; 0 where there are no two.
+/// Shortest time between two pictures, by the device's clock; 0 if there are fewer than two.
 double ClockMap::shortestStep_s() const {
   if (pictures_.size() < 2) return 0.0;
   double shortest_s = std::numeric_limits<double>::infinity();
@@ -31,8 +31,8 @@ double ClockMap::shortestStep_s() const {
   return shortest_s;
 }
 
-/// A clock that jumps back shows at once. One that jumps ahead brings the least delay down by the jump.
-/// Pictures that come less late again are no jump: the delay stays above what it was at its least.
+/// Detects jumps of the clock. A jump back is visible at once. A jump ahead reduces the least delay by the
+/// jump. Late pictures that catch up are no jump: the delay stays above its former least value.
 void ClockMap::forgetAfterJump(const Picture& picture) {
   if (pictures_.empty()) return;
   const bool is_back = picture.device_s <= last_.device_s;
@@ -43,8 +43,8 @@ void ClockMap::forgetAfterJump(const Picture& picture) {
   ++steps_;
 }
 
-/// A jump back by less than a picture's interval shows as one short step of the device's clock, after which
-/// all delays are longer by what the step is too short. Late pictures have no such step.
+/// Detects a jump back by less than a picture's interval: one short step of the device's clock, after which
+/// all delays are longer by the missing part of the step. Late pictures have no such step.
 void ClockMap::forgetOldest() {
   const double step_s = pictures_[1].device_s - pictures_[0].device_s;
   pictures_.pop_front();

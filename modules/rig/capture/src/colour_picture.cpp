@@ -19,7 +19,7 @@ bool isColoured(const cv::Mat& image) {
   return cv::norm(planes[0], planes[1], cv::NORM_INF) > 0 || cv::norm(planes[0], planes[2], cv::NORM_INF) > 0;
 }
 
-// Same orientation as readGrey(): the EXIF rotation is ignored.
+// Reads a picture in colour, oriented as by readGrey(): the EXIF rotation is ignored.
 cv::Mat readColour(const fs::path& path, const cameras::StereoRig& rig) {
   const cv::Mat image = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
   const bool has_rig_size = image.cols == rig.width_px && image.rows == rig.height_px;

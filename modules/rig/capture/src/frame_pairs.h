@@ -23,7 +23,8 @@ class FramePairs {
   virtual const std::vector<std::int64_t>& numbers() const = 0;
   /// The next pair; nullopt at the end. Throws Error naming the file.
   virtual std::optional<ImagePair> next() = 0;
-  /// next() gives the pair at `index` of numbers(). Images: at once; a video is read up to there.
+  /// Moves to the pair at `index` of numbers(), which next() then returns. Images: at once; a video is read
+  /// up to there.
   virtual void goTo(std::size_t index) = 0;
 };
 

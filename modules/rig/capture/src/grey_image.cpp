@@ -16,8 +16,8 @@ bool startsWith(const std::string& bytes, const std::string& magic) {
   return bytes.compare(0, magic.size(), magic) == 0;
 }
 
-// Decoders report success for a truncated file and fill the missing part with grey or black. So this checks
-// for the end marker.
+// Checks for the end marker, because decoders report success for a truncated file and fill the missing part
+// with grey or black.
 bool isTruncated(const std::string& bytes) {
   const std::string tail = bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 4096));
   if (startsWith(bytes, "\x89PNG")) return tail.find("IEND") == std::string::npos;

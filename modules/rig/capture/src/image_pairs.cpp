@@ -35,7 +35,7 @@ std::vector<NumberedImage> listImages(const fs::path& folder) {
   return images;
 }
 
-// If the numbers differ, pairing by order could combine images of different moments.
+// Throws Error if the numbers differ: pairing by order could combine images of different moments.
 void requireSameNumbers(const fs::path& folder, const std::vector<NumberedImage>& left,
                         const std::vector<NumberedImage>& right) {
   if (left.size() != right.size())
@@ -60,7 +60,7 @@ class ImagePairs : public FramePairs {
     if (at_ >= left_.size()) return std::nullopt;
     const fs::path &left = left_[at_].path, &right = right_[at_].path;
     const cv::Mat left_image = readGrey(left), right_image = readGrey(right);
-    // One depth for the whole recording: a scale that changes between frames would look like flicker.
+    // Uses one depth for the whole recording: a scale that changes between frames would look like flicker.
     if (bits_ == 0) bits_ = std::max(bitDepth(left_image), bitDepth(right_image));
     if (at_ == 0 && bits_ > 8)
       logInfo("images of " + std::to_string(bits_) + " bits are converted to 8: " + left.string());

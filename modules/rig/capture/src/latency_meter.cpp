@@ -13,16 +13,16 @@
 namespace facenav::capture {
 namespace {
 
-const cv::Size kLook(80, 60);                           // pictures are reduced to this
-constexpr int kSlowChanges = 6;                         // in which the field is located
-constexpr double kSlow_s = 0.7, kSettled_s = 0.45;      // pictures so long after a change show it whole
+const cv::Size kLook(80, 60);                       // pictures are reduced to this size
+constexpr int kSlowChanges = 6;                     // number of slow changes, in which the field is located
+constexpr double kSlow_s = 0.7, kSettled_s = 0.45;  // pictures this long after a change show it whole
 constexpr double kShortest_s = 0.25, kLongest_s = 0.5;  // random, so that no rate of the camera fits it
 constexpr double kLeastContrast = 8;                    // grey levels between the field's two states
 
 struct Change {
   bool is_lit;
   double at_s;
-  std::optional<double> captured_s, arrived_s;  // of the first picture that shows it
+  std::optional<double> captured_s, arrived_s;  // times of the first picture that shows it
 };
 
 }  // namespace
@@ -48,7 +48,7 @@ struct LatencyMeter::Implementation {
   bool isOver() const { return int(changes.size()) > wanted; }
 };
 
-/// A picture that shows one state for certain.
+/// Adds a picture that shows one state for certain to the sum of that state.
 void LatencyMeter::Implementation::learn(const cv::Mat& look, double captured_s) {
   const Change& now = changes.back();
   if (captured_s < now.at_s + kSettled_s || captured_s > next_s) return;
@@ -142,7 +142,7 @@ LatencyResult LatencyMeter::result() const {
   const auto& self = *implementation_;
   LatencyResult result;
   std::vector<double> loop_ms, screen_ms, camera_ms;
-  // The last one had no time to be seen.
+  // Skips the last change, which had no time to be seen.
   for (std::size_t i = kSlowChanges; i + 1 < self.changes.size(); ++i) {
     const Change& change = self.changes[i];
     if (!change.arrived_s) {

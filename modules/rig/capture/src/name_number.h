@@ -10,7 +10,7 @@
 
 namespace facenav::capture {
 
-/// The last run of digits in the name: 000123.png, left-7.jpg, 12_left.bmp.
+/// Number in the last run of digits of the name: 000123.png, left-7.jpg, 12_left.bmp.
 inline std::optional<std::int64_t> numberInName(const std::filesystem::path& path) {
   const std::string stem = path.stem().string();
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };

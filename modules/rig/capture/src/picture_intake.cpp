@@ -41,7 +41,8 @@ double PictureIntake::steadyTime(StampClock clock, double stamp_s, double arriva
   return stamp_s;
 }
 
-/// Increasing, with the driver's gaps. Some drivers number from 0 again, or do not number at all.
+/// Number of a picture: increasing, with the driver's gaps. Some drivers number from 0 again, or do not
+/// number at all.
 std::int64_t PictureIntake::number(std::int64_t sequence) {
   const std::int64_t step = last_sequence_ && sequence > *last_sequence_ ? sequence - *last_sequence_ : 1;
   counts_.dropped += step - 1;
@@ -49,8 +50,8 @@ std::int64_t PictureIntake::number(std::int64_t sequence) {
   return number_ += step;
 }
 
-/// The sensor's noise makes two exposures differ. Only a covered or overexposed sensor gives equal ones:
-/// these are uniform, and count as new.
+/// Rejects repeats. The sensor's noise makes two exposures differ; only a covered or overexposed sensor gives
+/// equal ones: these are uniform, and count as new.
 std::optional<CameraPicture> PictureIntake::accept(cv::Mat grey, std::int64_t sequence, StampClock clock,
                                                    double stamp_s, double arrival_s) {
   if (isEqual(grey, last_) && !isUniform(grey)) {

@@ -1,6 +1,6 @@
 #pragma once
-// PictureIntake: what every backend does with a picture that arrived: a time stamp on the steady clock, gaps
-// in the driver's numbers, pictures that came twice, counts.
+// PictureIntake: the common processing of an arrived picture in every backend: a time stamp on the steady
+// clock, gaps in the driver's numbers, pictures that came twice, counts.
 
 #include <opencv2/core.hpp>
 
@@ -11,7 +11,7 @@ namespace facenav::capture {
 
 enum class StampClock {
   steady,  // the driver stamps with this computer's steady clock
-  device,  // with a clock of its own
+  device,  // the driver stamps with a clock of its own
   none,    // no stamps: the arrival counts
 };
 
@@ -20,11 +20,12 @@ class PictureIntake {
   void restart() { *this = {}; }
   void noteDamaged() { ++counts_.damaged; }
   void noteDropped(std::int64_t pictures) { counts_.dropped += pictures; }
-  /// The picture with its time; nothing if it repeats the previous one. `stamp_s`: as the driver gives it.
+  /// Accepts a picture and adds its time; nullopt if it repeats the previous one. `stamp_s`: as the driver
+  /// gives it.
   std::optional<CameraPicture> accept(cv::Mat grey, std::int64_t sequence, StampClock clock, double stamp_s,
                                       double arrival_s);
   const PictureCounts& counts() const { return counts_; }
-  /// As ClockMap; 0 without stamps of the device's clock.
+  /// Lateness as ClockMap::lateFor_s(); 0 without stamps of the device's clock.
   double lateFor_s() const { return clock_.lateFor_s(); }
 
  private:

@@ -8,8 +8,8 @@ namespace facenav::capture {
 namespace {
 
 constexpr std::size_t kLongestQueue = 8, kIntervals = 31, kDelays = 121;
-constexpr double kFollow = 0.1;         // share of a new delay in the running one
-constexpr double kSwitchPartner = 0.6;  // of an interval
+constexpr double kFollow = 0.1;         // weight of a new delay in the running mean
+constexpr double kSwitchPartner = 0.6;  // share of an interval
 constexpr double kTies_s = 1e-9;
 
 double middleOf(const std::deque<double>& values) {
@@ -46,7 +46,7 @@ std::optional<double> PictureMatcher::Side::interval_s() const {
 void PictureMatcher::addLeft(CameraPicture picture) { left_.add(std::move(picture)); }
 void PictureMatcher::addRight(CameraPicture picture) { right_.add(std::move(picture)); }
 
-/// Of the faster camera: its pictures decide how near a partner can be.
+/// Interval of the faster camera: its pictures decide how near a partner can be.
 double PictureMatcher::interval_s() const {
   const auto left_s = left_.interval_s(), right_s = right_.interval_s();
   if (!left_s || !right_s) return expected_interval_s_;

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kAssumedRate_hz = 60.0;
-constexpr double kMostApart_s = 1.0;  // of the two pictures of a pair
+constexpr double kMostApart_s = 1.0;  // largest time between the two pictures of a pair
 
 struct StampedFrame {
   std::int64_t number;
@@ -21,7 +21,7 @@ struct StampedFrame {
   std::optional<double> right_late_s;
 };
 
-/// Column right_t_s, which may be absent or empty.
+/// Delay from the column right_t_s, which may be absent or empty.
 std::optional<double> rightLate(const CsvTable& table, std::size_t row, double t_s) {
   const auto column = table.findColumn("right_t_s");
   if (!column || table.text(row, *column).empty()) return std::nullopt;
@@ -47,9 +47,9 @@ std::vector<StampedFrame> readTimestamps(const fs::path& csv) {
   return stamps;
 }
 
-// Matches by frame number if every image has a line. Otherwise matches by order if both have the same count
-// (file names that start at another index); the frame then gets the number in the CSV, which the truth files
-// use.
+// Assigns times: matches by frame number if every image has a line. Otherwise matches by order if both have
+// the same count (file names that start at another index); the frame then gets the number in the CSV, which
+// the truth files use.
 void applyTimestamps(const fs::path& csv, const std::vector<StampedFrame>& stamps, RecordingFrames& frames) {
   const std::vector<std::int64_t>& images = frames.pairs->numbers();
   std::size_t at = 0;
@@ -102,7 +102,7 @@ cameras::StereoFrame readStill(const fs::path& folder, const std::string& kind,
   return frame;
 }
 
-/// Without pictures with dots, the plain pair stands for both.
+/// Reads the capture. Without pictures with dots, the plain pair is used for both.
 CapturePair readCapture(const fs::path& folder, const cameras::StereoRig& rig) {
   CapturePair capture;
   capture.plain = readStill(folder, "plain", rig);

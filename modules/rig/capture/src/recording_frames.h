@@ -23,11 +23,11 @@ struct RecordingFrames {
   bool has_timestamps = false;
 };
 
-/// Throws the same Errors as openRecording.
+/// Opens the frames. Throws the same Errors as openRecording.
 RecordingFrames openFrames(const std::filesystem::path& folder);
 
-/// Throws Error that says why there are no frames: the folder is missing or empty, it is no recording, or it
-/// holds 0 frames.
+/// Throws Error with the reason why there are no frames: the folder is missing or empty, it is no recording,
+/// or it has 0 frames.
 void requireFrames(const RecordingFrames& frames, const std::filesystem::path& folder);
 
 /// Throws Error that names `where`, unless both images have the rig's size.

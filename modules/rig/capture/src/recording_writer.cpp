@@ -15,7 +15,7 @@ namespace {
 std::string numbered(std::int64_t number) { return formatted("%06lld.png", static_cast<long long>(number)); }
 
 void writeImage(const cv::Mat& image, const fs::path& path) {
-  // Not by cv::imwrite: on a full disk libpng would write a line of its own.
+  // Does not use cv::imwrite: on a full disk libpng would write a line of its own.
   std::vector<unsigned char> png;
   cv::imencode(".png", image, png, {cv::IMWRITE_PNG_COMPRESSION, 1});
   std::ofstream file(path, std::ios::binary);
@@ -31,7 +31,7 @@ std::string poseLine(std::int64_t frame, const Eigen::Isometry3d& pose) {
                    p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
-/// The column right_t_s only where some frame has it.
+/// Content of timestamps.csv; it has the column right_t_s only if some frame has that time.
 std::string timestampsFile(const std::string& lines, bool has_right_times) {
   if (has_right_times) return "frame,t_s,right_t_s\n" + lines;
   std::string without = "frame,t_s\n";

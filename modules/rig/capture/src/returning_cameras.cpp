@@ -9,8 +9,8 @@
 namespace facenav::capture {
 namespace {
 
-constexpr double kTellEvery_s = 0.1;   // that they are away; a session takes an older state for stale
-constexpr double kRetryEvery_s = 0.3;  // opening them
+constexpr double kTellEvery_s = 0.1;   // between reports of absence; a session takes older ones for stale
+constexpr double kRetryEvery_s = 0.3;  // interval between attempts to open them
 
 bool mayComeBack(CameraFault fault) {
   return fault != CameraFault::ended && fault != CameraFault::wrong_size;
@@ -32,10 +32,10 @@ class ReturningCameras : public FrameSource {
   mutable std::mutex mutex_;  // guards cameras_ against cautions()
   std::shared_ptr<FrameSource> cameras_;
   const cameras::StereoRig rig_;
-  std::string absence_;  // why no pictures come; empty: they come
+  std::string absence_;  // reason why no pictures come; empty: they come
   std::int64_t number_ = 0;
   double last_s_ = -1e300;
-  /// Closing a camera that is gone, and opening one, take seconds: they have a thread of their own.
+  /// Runs on a thread of its own, because closing a camera that is gone, and opening one, take seconds.
   std::future<std::shared_ptr<FrameSource>> opening_;
 };
 
@@ -49,7 +49,7 @@ std::shared_ptr<const cameras::StereoFrame> ReturningCameras::next() {
     for (;;) {
       const auto frame = cameras_->next();
       if (!frame) return nullptr;
-      if (frame->captured.s <= last_s_) continue;  // older than the last word of their absence
+      if (frame->captured.s <= last_s_) continue;  // older than the last report of their absence
       absence_.clear();
       auto numbered = std::make_shared<cameras::StereoFrame>(*frame);
       numbered->number = number_++;

@@ -39,7 +39,7 @@ class SwingingSource : public FrameSource {
 
   cameras::StereoRig rig_;
   RecordingPictures pictures_;
-  std::optional<std::int64_t> last_;  // nothing: without end
+  std::optional<std::int64_t> last_;  // nullopt: without end
   std::int64_t number_ = 0;
   double time_s_ = 0, before_s_ = 0;
 };

@@ -36,7 +36,8 @@ std::size_t countFrames(const fs::path& path) {
   return count;
 }
 
-// A container's frame count is often an estimate. It is used only if all three sources agree.
+// Count on which both containers and timestamps.csv agree. A container's frame count is often an estimate, so
+// it is used only if all three sources agree.
 std::size_t agreedCount(const fs::path& left, const fs::path& right, std::optional<std::size_t> expected) {
   const auto stated = [](const fs::path& path) { return openVideo(path).get(cv::CAP_PROP_FRAME_COUNT); };
   if (expected && stated(left) == double(*expected) && stated(right) == double(*expected)) return *expected;
@@ -66,7 +67,7 @@ class VideoPairs : public FramePairs {
     ++at_;
     return ImagePair{read(left_, left_path_), read(right_, right_path_), where};
   }
-  /// Frame by frame: a container's own index is often wrong by some frames.
+  /// Reads frame by frame: a container's own index is often wrong by some frames.
   void goTo(std::size_t index) override {
     if (index < at_) {
       left_ = openVideo(left_path_);

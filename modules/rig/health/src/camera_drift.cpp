@@ -10,27 +10,27 @@
 namespace facenav::health {
 namespace {
 
-// Before the first frame a camera may have moved since the reference by this much.
+// Possible motion of a camera between the reference and the first frame.
 constexpr double kPriorTurn_rad = 0.2 * kRadPerDeg, kPriorShift_mm = 1.0;
-// A mount that gives way: random walk in a second. One that is known to move may move faster: with the slower
-// walk the correction of 0.36 deg/s was 0.06 deg behind, which is 3 mm of depth (head 07).
+// Random walk of a slipping mount in one second. kFollowing: factor for a camera that is known to move; a
+// smaller one lets the correction lag behind.
 constexpr double kWalkTurn_rad = 0.02 * kRadPerDeg, kWalkShift_mm = 0.2, kFollowing = 5.0;
 constexpr double kLongestGap_s = 20.0, kLongestUnseen_s = 2.0;
-// Errors of the face (light, expression) last for some frames: a frame counts as half a measurement, and what
-// is known of the camera is never better than what one frame says.
+// Errors of the face (light, expression) last for some frames: a frame counts as half a measurement, and the
+// estimate is never more certain than one frame.
 constexpr double kLasting = 2.0;
-// Squared sigmas between a frame and what is known: a wrong fit, or a camera that was knocked. No pose is
-// shown. So many in a row are a knock.
+// Squared sigmas between a frame and the estimate: a wrong fit, or a camera that was knocked. No pose is
+// shown. kKnocked of them in a row are a knock.
 constexpr double kContradiction = 36.0;
 constexpr int kKnocked = 5;
 constexpr double kSmoothed_s = 0.03;  // time constant of the correction
-// Chi-square of 6 degrees of freedom that chance exceeds as seldom as three standard errors: 20.1.
+// Chi-square with 6 degrees of freedom, at the probability of three standard errors: 20.1.
 constexpr double kMoved = 20.1;
-constexpr double kSureEffect = 3.0;       // standard errors of what the motion does to the pose at the cortex
-constexpr double kCortexDepth_mm = 80.0;  // from the face's centre, away from the cameras
-constexpr double kSure_mm = 0.8;  // of the pose at the cortex: more than three of them are no wrong pose
+constexpr double kSureEffect = 3.0;       // standard errors of the motion's effect on the pose at the cortex
+constexpr double kCortexDepth_mm = 80.0;  // distance from the face's centre, away from the cameras
+constexpr double kSure_mm = 0.8;  // tolerated error of the pose at the cortex; three of them make it wrong
 constexpr double kMostUnsure_rad = 0.05 * kRadPerDeg;
-constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond it a mount is broken
+constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond this, a mount is broken
 
 Matrix6d squares(double turn_rad, double shift_mm) {
   Vector6d each;
@@ -44,7 +44,7 @@ void CameraDrift::predict(double since_s) {
   const double faster = has_moved_ ? kFollowing : 1.0;
   covariance_ += std::min(since_s, kLongestGap_s) * squares(faster * kWalkTurn_rad, faster * kWalkShift_mm);
   const Matrix6d most = squares(kPriorTurn_rad, kPriorShift_mm);
-  for (int i = 0; i < 6; ++i) {  // no axis is less certain than before the first frame
+  for (int i = 0; i < 6; ++i) {  // no axis gets less certain than before the first frame
     if (covariance_(i, i) <= most(i, i)) continue;
     const double shrink = std::sqrt(most(i, i) / covariance_(i, i));
     covariance_.row(i) *= shrink, covariance_.col(i) *= shrink;
@@ -96,7 +96,7 @@ void CameraDrift::judge(const RightPoseObservation& seen, const Point<Camera>& f
   effect_mm_ = (carry * left_over).norm();
   effect_sigma_mm_ = std::sqrt((carry * certainty_ * carry.transpose()).trace());
   if (statistic_ > kMoved || effect_mm_ > kSureEffect * effect_sigma_mm_) has_moved_ = true;
-  // At once where it is first noticed, then smoothed.
+  // Corrects at once when the motion is first noticed, later smoothed.
   if (has_moved_ && !fault())
     corrected_ += (is_followed_ ? 1.0 - std::exp(-since_s / kSmoothed_s) : 1.0) * (moved_ - corrected_);
   is_followed_ = has_moved_ && !fault();

@@ -13,17 +13,17 @@ namespace {
 
 constexpr int kHalf_px = 14, kReach_px = 5;  // of a window (5 mm of skin at 2.7 px/mm), and of its search
 constexpr int kStep_px = 10, kMargin_px = kHalf_px + kReach_px + 2;
-constexpr double kNearSeed_px = 23;  // a window is tried once two matches lie so near
+constexpr double kNearSeed_px = 23;  // a window is tried when two matches are this near
 constexpr int kFewestNear = 2, kMostTries = 3, kMostRounds = 40;
 // Grown matches lie closer together than corners and are less exact: more neighbours, within a smaller
 // radius.
 constexpr NeighbourhoodOptions kSeedsAround{12, 4, 60, 10, 30};
 constexpr double kLeastTexture_grey = 2.0, kLeastCorrelation = 0.9, kMostSigma_px = 0.5;
-// Neighbouring pixels of a window err alike: blur of the lens, blocks of the compression.
+// Neighbouring pixels of a window have common errors: blur of the lens, blocks of the compression.
 constexpr double kSharedError = 2.0;
 
-/// Least squares for the place of `wanted` in `seen` (both 32-bit float), gain and offset free, from `at`
-/// (of its first column and row). Changes `at`; gives its standard error, px.
+/// Finds `wanted` in `seen` (both 32-bit float) by least squares, gain and offset free, from `at` (of its
+/// first column and row). Changes `at`; returns its standard error, px.
 std::optional<double> refine(const cv::Mat& wanted, const cv::Mat& seen, Eigen::Vector2d& at) {
   const int side = wanted.cols;
   const Eigen::Vector2d start = at;
@@ -89,7 +89,7 @@ class Growth {
     for (const auto& seed : seeds) know(seed);
   }
 
-  /// One more ring round what is known; false where it has nothing to add.
+  /// Adds one more ring around the known matches; false if there is nothing to add.
   bool grow() {
     std::vector<Correspondence> fresh;
     for (int v = 0; v < near_.rows; ++v)
@@ -131,8 +131,8 @@ class Growth {
   }
 
   cv::Mat left_, right_;
-  cv::Mat_<int> near_;   // of each window, the matches that are known near it
-  cv::Mat_<int> tries_;  // of each window
+  cv::Mat_<int> near_;   // known matches near each window
+  cv::Mat_<int> tries_;  // tries of each window
   std::vector<PixelPair> known_;
 };
 

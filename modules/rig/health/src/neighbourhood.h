@@ -1,6 +1,6 @@
 #pragma once
-// How the right picture shows the surroundings of a place of the left one, from matches near it: an affine
-// map that a patch is warped by before it is compared.
+// Affine map of the surroundings of a place from the left picture to the right one, fitted to matches near
+// it. A patch is warped by it before it is compared.
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -14,7 +14,7 @@ struct PixelPair {
   Eigen::Vector2d shift() const { return right_px - left_px; }
 };
 
-/// right = at + map * (left - origin), from the seeds about a place.
+/// Map right = at + map * (left - origin), from the seeds about a place.
 struct Neighbourhood {
   Eigen::Vector2d at;
   Eigen::Matrix2d map;
@@ -25,13 +25,13 @@ std::vector<std::size_t> nearest(const std::vector<PixelPair>& pairs, const Eige
                                  std::size_t count, double reach_px);
 
 struct NeighbourhoodOptions {
-  std::size_t most = 8, fewest = 3;  // seeds
+  std::size_t most = 8, fewest = 3;  // number of seeds
   double reach_px = 80;
-  double untilted_px = 15;  // prior of the affine map: seeds this far off say little about it
-  double falloff_px = 20;   // distance at which a seed counts by half
+  double untilted_px = 15;  // prior of the affine map: seeds this far off hardly determine it
+  double falloff_px = 20;   // distance at which a seed has half its weight
 };
 
-/// From the nearest seeds. Nothing where there are too few, or where they contradict each other.
+/// Fits the map to the nearest seeds. nullopt if there are too few, or if they contradict each other.
 std::optional<Neighbourhood> neighbourhood(const std::vector<PixelPair>& seeds,
                                            const Eigen::Vector2d& left_px,
                                            const NeighbourhoodOptions& options = {});

@@ -11,23 +11,19 @@ namespace facenav::health {
 namespace {
 
 constexpr std::size_t kFewestMatches = 25;
-// Standard error of one match: texture, noise, slant of skin and compression. On the boards' exact rigs the
-// residuals of a person's skin have a median of 0.18 to 0.35 px (median of |N(0, 0.3)|: 0.20).
+// Standard error of one match on skin: texture, noise, slant of skin and compression.
 constexpr double kMatchSigma_px = 0.3;
 constexpr double kAgrees_px = 1.0;
-// Between that error and the effect of the smallest motion that differs from noise: 1 px of parallax.
+// Limits between that error and the effect of the smallest motion that differs from noise: 1 px of parallax.
 constexpr double kHolds_px = 0.5, kSwappedHolds_px = 1.0;
 constexpr double kExplainedShare = 0.7, kExplained_px = 0.4;
-constexpr double kExplainedCost = 3.8;  // per match: 1.9 of pure Student's t, twice that of skin
+constexpr double kExplainedCost = 3.8;  // cost per match: 1.9 for pure Student's t, twice that on skin
 constexpr PosePrior kKnock{0.02, 3.0};  // as in RigMonitor
 constexpr PosePrior kAnyRig{0.25, 60.0};
-constexpr double kKnockDoubt = 25.0;  // of cost: above this it is not a knock
+constexpr double kKnockDoubt = 25.0;  // decrease of cost: above this it is not a knock
 constexpr std::size_t kFewestOnSkin = 150;
-// Limit of the skin's shared residual, px. In 15 right pairs of one real person in front of three pairs of
-// cameras it is 0.40 (factor of one standard deviation: 1.17), with any assumed pose of the right camera. In
-// 60 pairs of two moments it is 1.05 (1.27). At this limit both are equally likely. Fitted with each moment
-// left out in turn, it takes none of the 15 right pairs for two moments, and 6 of 120 others for one (cameras
-// 40 degrees apart, small motions).
+// Limit of the residual common to neighbouring skin, px: above it the pictures are of two moments. A lower
+// limit rejects more right pairs. Evidence: resources/doc/evidence.md.
 constexpr double kTwoMoments_px = 0.60, kFarthest_px = 3.0;
 
 std::vector<RayPair> raysOf(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches,
@@ -43,7 +39,7 @@ std::vector<RayPair> raysOf(const cameras::StereoRig& rig, const std::vector<Cor
 
 struct Fit {
   double median_px = 0,
-         share = 0;  // of the distances from the epipolar lines; share of matches within kAgrees_px
+         share = 0;  // median distance from the epipolar lines; share of matches within kAgrees_px
 };
 
 Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {

@@ -13,13 +13,13 @@ namespace facenav::health {
 namespace {
 
 constexpr int kFeatures = 4000, kCorners = 2500;
-constexpr double kContrast = 0.008;  // of a SIFT extremum: a fifth of OpenCV's default, since skin is faint
+constexpr double kContrast = 0.008;  // of a SIFT extremum: a fifth of OpenCV's default, for skin
 constexpr float kRatio = 0.9F;       // best to second best; neighbours reject the remaining outliers
 constexpr std::size_t kNeighbours = 8;
 // Disparity gradient of a surface slanted by 60 degrees in front of cameras 30 degrees apart: one half.
 constexpr double kDisparityGradient = 0.5, kNear_px = 4.0;
 constexpr double kCornerSpacing_px = 5;
-constexpr int kPatch_px = 61;             // holds the coarse patch of matchPatch and its gradients
+constexpr int kPatch_px = 61;             // covers the coarse patch of matchPatch and its gradients
 constexpr double kBackAndForth_px = 0.7;  // largest error of a match that is searched back in the left image
 constexpr double kSlant_px = 0.1;         // error of a plane patch on curved skin
 
@@ -45,7 +45,7 @@ std::vector<PixelPair> features(const cv::Mat& left, const cv::Mat& right) {
   return pairs;
 }
 
-/// Pairs that at least half of their neighbours agree with.
+/// Pairs with which at least half of their neighbours agree.
 std::vector<PixelPair> coherent(const std::vector<PixelPair>& pairs) {
   std::vector<PixelPair> kept;
   for (const PixelPair& pair : pairs) {

@@ -11,13 +11,13 @@
 namespace facenav::health {
 namespace {
 
-constexpr double kFreedom = 4.0;  // of Student's t, as in RigMonitor
+constexpr double kFreedom = 4.0;  // degrees of freedom of Student's t, as in RigMonitor
 constexpr double kBehind = 30.0;  // sigmas counted for a point behind the cameras
 constexpr int kRounds = 40;
 
 using Vector6 = Vector6d;
 
-/// Signed, for any depth.
+/// Signed Sampson distance, for any depth.
 double sampson(const Eigen::Isometry3d& pose, const RayPair& rays) {
   const Eigen::Matrix3d essential = skew(pose.translation().normalized()) * pose.linear();
   const Eigen::Vector3d l = rays.left.homogeneous(), r = rays.right.homogeneous();

@@ -1,5 +1,5 @@
 #pragma once
-// Refines the right camera's pose relative to the left one so that it explains matches best, up to scale: two
+// Refines the right camera's pose relative to the left one so that it best explains matches, up to scale: two
 // angles of the baseline's direction and three of rotation, under Student's t, from a rough pose.
 
 #include <Eigen/Geometry>
@@ -13,13 +13,13 @@ struct RayPair {
   double sigma = 0;  // across the epipolar line, in the same unit (px / f)
 };
 
-/// Prior of the right camera's pose: normal around `pose`.
+/// Normal prior of the right camera's pose around `pose`.
 struct PosePrior {
   double turn_sigma_rad = 0, shift_sigma_mm = 0;
 };
 
 struct RelativePose {
-  Eigen::Isometry3d right_T_left;  // with the given length of the baseline
+  Eigen::Isometry3d right_T_left;  // its baseline has the given length
   double cost = 0;                 // -2 log likelihood under Student's t and the prior, up to a constant
 };
 
@@ -27,12 +27,12 @@ struct RelativePose {
 /// behind a camera.
 double epipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
 
-/// The same with its sign, for any depth.
+/// Signed distance of a match from its epipolar lines, in its sigmas, for any depth.
 double signedEpipolarDistance(const Eigen::Isometry3d& right_T_left, const RayPair& rays);
 
 double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>& rays);
 
-/// Refines from `start`. `prior`: around `start`; null: no prior.
+/// Refines the pose from `start`. `prior`: around `start`; null: no prior.
 RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPair>& rays,
                         const PosePrior* prior = nullptr);
 

@@ -7,11 +7,11 @@
 namespace facenav::health {
 namespace {
 
-// If the whole reference pair fitted its calibration, skin that disagrees a little does not prove that a
+// If the whole reference pair fitted its calibration, a small contradiction by the skin does not prove that a
 // camera moved: require twice the monitor's own threshold.
 constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between judgements
-/// Frames in a row of the coil that change the verdict: one frame may be a hand over the marker's edge.
+/// Coil frames in a row that change the verdict: a single frame may show a hand over the marker's edge.
 constexpr std::size_t kCoilFrames = 5;
 
 }  // namespace
@@ -49,7 +49,7 @@ void RigHealth::add(const RigObservation& seen) {
   if (frames_++ % interval == 0) estimate_ = monitor_.estimate();
 }
 
-/// What the monitor gathered with the cameras as they stood before says nothing about the corrected ones.
+/// Restarts the monitor: its observations of the uncorrected cameras do not apply to the corrected ones.
 void RigHealth::followDrift() {
   constexpr double kSame_rad = 0.01 * kRadPerDeg, kSame_mm = 0.1;
   if (!drift_.correction()) return;

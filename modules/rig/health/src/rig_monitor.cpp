@@ -16,21 +16,20 @@ constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
 constexpr std::size_t kMemory = 60;  // samples of a cell; the oldest are overwritten
 constexpr double kFewest = 12;       // samples before a verdict is given
 constexpr double kGross_px = 20;     // a wrong match, not a moved camera
-// Of 6000 simulated rigs with correct calibrations, every second with a tenth of wrong matches, none exceeded
-// 18.3 (99 % stayed below 12). Of rigs that rolled by 0.25 degrees, half reached 32 with 600 points of a
-// face.
+// Least likelihood ratio (-2 log) of a moved rig. A higher value gives fewer false alarms and misses more
+// motion. Evidence: resources/doc/evidence.md.
 constexpr double kMovedStatistic = 20;
-// Median of the normalised residuals; 0.67 for a rig that holds. When cameras moved by several rows, most
-// matches are wrong, in all directions: no motion explains them, but nothing else does either.
+// Median of the normalised residuals; 0.67 if the calibration holds. If cameras moved by several rows, most
+// matches are wrong in all directions: no motion explains them, and the calibration does not either.
 constexpr double kContradicted = 2.0;
 constexpr double kHarmful_mm = 0.5;  // smaller errors are no reason to stop
 constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
-constexpr double kTellsScatter = 4;  // matches of a cell that are enough to measure their scatter
+constexpr double kTellsScatter = 4;  // fewest matches of a cell that determine their scatter
 // Patches of 15 px side by side on a glint, a fold, a strand of hair or a compression block share their
 // errors: this fraction of their scatter does not average out in a cell.
 constexpr double kSharedShare = 0.3;
-// A moved camera moves all points; a repeating pattern (knitwear) only those in one place. Least decrease by
-// the motion of the points' mean squared residual, in sigmas, each at most four.
+// A moved camera moves all points; a repeating pattern (knitwear) moves only those in one place. Least
+// decrease of the points' mean squared residual by the motion, in sigmas, each at most four.
 constexpr double kComesNearer = 0.3;
 constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // size of motion when a camera is knocked
 
@@ -44,7 +43,7 @@ double sizeError(const cameras::StereoRig& rig, const SquareObservation& square)
   return side_mm / square.size_mm - 1.0;
 }
 
-/// Running mean: `count` grows to kMemory, then older samples fade.
+/// Running mean: `count` grows to kMemory, then older samples lose weight.
 template <class T>
 void average(T& mean, const T& sample, double count) {
   mean += (sample - mean) / count;
@@ -98,7 +97,8 @@ double scatterOf(const std::vector<double>& residuals_px, double middle) {
 }
 
 /// A median and its standard error. Each match counts with its own sigma or with the scatter in the cell,
-/// whichever is larger. Few matches do not show their scatter: then `typical_px` of the other cells is used.
+/// whichever is larger. Too few matches do not determine their scatter: then `typical_px` of the other cells
+/// is used.
 std::pair<double, double> middleOf(const std::vector<double>& residuals_px,
                                    const std::vector<double>& sigmas_px, double typical_px) {
   const double middle = upperMedian(residuals_px), count = double(residuals_px.size());
@@ -116,8 +116,8 @@ struct Explanation {
 
 struct Explained {
   double cost = 0;                   // -2 log posterior, up to a constant
-  Eigen::VectorXd unknowns, weight;  // weight: of a measurement; near 0 for a wrong match
-  Eigen::MatrixXd precision;         // of the unknowns
+  Eigen::VectorXd unknowns, weight;  // weight: per measurement; near 0 for a wrong match
+  Eigen::MatrixXd precision;         // precision of the unknowns
 };
 
 /// Maximum posterior under Student's t residuals, by reweighting (Lange, Little, Taylor 1989): a cell on a
@@ -222,7 +222,7 @@ RigEstimate RigMonitor::estimate() const {
     model.seen[i] = cell.error;
     model.sigma[i] = std::hypot(5e-4, std::sqrt(cell.variance));
     model.by_calibration(i, axes) =
-        cell.square.print_sigma_mm / cell.square.size_mm;  // all sizes share the one error of the print
+        cell.square.print_sigma_mm / cell.square.size_mm;  // the error of the print is common to all sizes
   }
   for (int k = 0; k < axes; ++k) model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
   // If the right camera moved by xi, its true rig would give zero residuals: seen = -d predict / d xi * xi.

@@ -1,4 +1,4 @@
-// What is said of the cameras, in one place: states, diagnoses, checks, corrections.
+// All texts about the cameras: states, diagnoses, checks, corrections.
 
 #include "rig_words.h"
 
@@ -181,7 +181,7 @@ std::string RigVerification::words() const {
       words += formatted("%s measured %.2f mm instead of %.2f mm, ", length.what.c_str(), length.measured_mm,
                          length.true_mm);
   words += formatted("rows %.2f px apart)", row_error_px);
-  // A print of another size changes a marker's length as a turned camera does.
+  // A print of another size changes a marker's length like a turned camera.
   return words + (board_frames == 0 && marker_frames > 0
                       ? ", or the coil's marker has another size than its file says: measure the print, or "
                         "calibrate again"

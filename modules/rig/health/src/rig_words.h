@@ -1,5 +1,5 @@
 #pragma once
-// Verdicts with words of their own (rig_words.cpp holds the words of all).
+// Verdicts that need texts of their own (rig_words.cpp has the texts of all).
 
 #include "facenav/health/camera_drift.h"
 #include "facenav/health/rig_state.h"

@@ -12,16 +12,16 @@
 namespace facenav::health {
 namespace {
 
-// A camera's own picture of a board that fits worse than this, in rms of the calibration, is of another lens.
+// Rms of a camera's own picture of a board, in units of the calibration's rms: above this it is of another
+// lens.
 constexpr double kOtherLensTimesRms = 3.0;
 constexpr double kGrossRows_px = 5.0;  // the monitor of small motions does not explain these
 constexpr double kBoardPrintShare = 0.001,
                  kLeastPictureShare = 0.0003;  // relative standard errors of a length
 constexpr double kGrossLength = 0.1;           // relative: exchanged sides, not a knock
-// Relative change of scale. A board's poses before both cameras give it to 0.1 %; a baseline that is 3 mm
-// longer changes it by 0.5 %.
+// Relative change of scale that shows another focal length; a baseline 3 mm longer changes it by 0.5 %.
 constexpr double kOtherScale = 0.01;
-constexpr double kSwappedBetter = 0.2;  // rows fit so much better with the sides exchanged
+constexpr double kSwappedBetter = 0.2;  // residuals decrease to this share when the sides are exchanged
 
 double medianOf(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -43,7 +43,7 @@ double medianRow(const cameras::StereoRig& rig, const std::vector<Correspondence
                                      : cameras::epipolarResidual_px(rig, point.left_px, point.right_px);
     if (std::isfinite(row_px)) rows_px.push_back(std::abs(row_px));
   }
-  // Points behind the cameras have no row: rays that do not meet contradict more than any row.
+  // Points behind the cameras have no row. Rays that do not meet are the largest contradiction.
   return rows_px.size() * 2 < points.size() ? 1e3 : medianOf(std::move(rows_px));
 }
 
@@ -148,7 +148,7 @@ void RigVerifier::Implementation::addRatio(double ratio, double exchanged_ratio)
   exchanged_errors.push_back(std::abs(exchanged_ratio - 1));
 }
 
-/// Rows or lengths are far off, and fit when the sides are exchanged.
+/// True if rows or lengths are far off, and fit when the sides are exchanged.
 bool RigVerifier::Implementation::isSwapped(const RigVerification& all) const {
   const bool rows_say =
       all.row_error_px > kGrossRows_px && medianRow(rig, points, true) < kSwappedBetter * all.row_error_px;
@@ -201,7 +201,8 @@ RigVerification RigVerifier::result() const {
   all.scale_change = medianOf(self.scales);
   all.state = self.judge(all, verdict);
   if (all.state != RigState::moved) return all;
-  // Large motions: by the board's poses; small ones: by the monitor, which knows what the rows determine.
+  // Large motions come from the board's poses; small ones from the monitor, which uses only what the rows
+  // determine.
   const bool is_gross = all.row_error_px > kGrossRows_px && !self.turns_deg.empty();
   all.turn_deg = is_gross ? medianOf(self.turns_deg) : verdict.turn_rad.norm() * kDegPerRad;
   all.shift_mm = is_gross ? medianOf(self.shifts_mm) : 0.0;

@@ -5,7 +5,7 @@
 
 namespace facenav::atlas {
 
-/// From the brains' moments: aligns the centres and the extents along R, A, S; no rotation.
+/// Start value from the brains' moments: aligns the centres and the extents along R, A, S; no rotation.
 Eigen::Affine3d affineFromMoments(const BrainPair& pair);
 /// Best `mri_from_mni` near `start`. Deterministic; at most `iterations` steps, fewer if a step changes
 /// nothing.

@@ -16,8 +16,8 @@ AtlasMap::AtlasMap(const Eigen::Affine3d& mri_from_mni, const volume::VoxelGrid&
   FACENAV_EXPECT(displacement_mm_.size() == grid_.count(), "one displacement per node of the grid");
 }
 
-/// Linear between nodes. Beyond the grid the value at its edge is used, so that the map stays continuous and
-/// invertible.
+/// Interpolates linearly between nodes. Beyond the grid the value at its edge is used, so that the map stays
+/// continuous and invertible.
 Eigen::Vector3d AtlasMap::displacementAt(const Eigen::Vector3d& mni_mm) const {
   const Eigen::Array3d last =
       Eigen::Array3i(grid_.size[0], grid_.size[1], grid_.size[2]).cast<double>() - 1.0;

@@ -8,11 +8,11 @@
 namespace facenav::atlas {
 namespace {
 
-constexpr double kMargin_mm = 12.0;  // around the template's brain
+constexpr double kMargin_mm = 12.0;  // margin around the template's brain
 constexpr double kWindow_mm = 9.0;   // half width of the local normalisation: a gyrus and its neighbours
 constexpr float kInside = 0.5f;
 
-/// Of the voxels above 0 of a Volume or Mask.
+/// Bounding box of the voxels above 0 of a Volume or Mask.
 template <class Image>
 Eigen::AlignedBox3d boxOf(const Image& brain) {
   Eigen::AlignedBox3d box;

@@ -20,20 +20,20 @@ struct BrainImages {
   BrainImages(const volume::Volume& template_brain, const volume::Volume& mri, const volume::Mask& brain,
               double finest_mm);
 
-  Eigen::AlignedBox3d template_box_mm, patient_box_mm;  // of the brains, each in its own world
+  Eigen::AlignedBox3d template_box_mm, patient_box_mm;  // extent of each brain in its own world
   volume::Volume template_t1, template_brain, patient_t1, patient_brain;
 };
 
 class BrainPair {
  public:
-  /// `spacing_mm`: the images' spacing or a coarser one; the images are smoothed to it before sampling.
+  /// Samples both at `spacing_mm`: the images' spacing or a coarser one; the images are smoothed to it first.
   BrainPair(const BrainImages& images, double spacing_mm);
 
   const volume::VoxelGrid& grid() const { return grid_; }  // world = MNI space
   const Channels& fixed() const { return fixed_; }
   /// The patient at mri_from_mni * (node + displacement), displacement in nodes (null or empty: none).
   Channels warped(const Eigen::Affine3d& mri_from_mni, const VectorField* displacement) const;
-  /// dice(): overlap of both brains. correlation(): of the T1 channels at nodes inside both brains.
+  /// dice(): overlap of both brains. correlation(): that of the T1 channels at nodes inside both brains.
   double dice(const Channels& moving) const;
   double correlation(const Channels& moving) const;
   /// Centre and standard deviation along R, A, S of both brains, mm.

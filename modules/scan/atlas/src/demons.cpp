@@ -39,7 +39,7 @@ VectorField update(const BrainPair& pair, const Channels& moving) {
   return u;
 }
 
-/// (d o u)(x) = u(x) + d(x + u(x)).
+/// Composition: (d o u)(x) = u(x) + d(x + u(x)).
 VectorField composed(const VectorField& d, const VectorField& u) {
   VectorField sum = noDisplacement(d[0].size);
   forSlices(d[0].size[2], [&](int k) {

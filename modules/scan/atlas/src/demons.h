@@ -10,7 +10,7 @@ namespace facenav::atlas {
 
 /// A zero displacement on a pair's grid, in nodes.
 VectorField noDisplacement(const std::array<int, 3>& size);
-/// The same displacement on a finer or coarser grid over the same space (nodes of the new grid).
+/// Resamples a displacement onto a finer or coarser grid over the same space (in nodes of the new grid).
 VectorField onGrid(const VectorField& displacement, const volume::VoxelGrid& from,
                    const volume::VoxelGrid& to);
 /// Improves `displacement` (nodes) by compositive updates of at most half a node each. Updates are smoothed

@@ -18,7 +18,7 @@ void meanAlong(const float* in, float* out, int count, int radius) {
   }
 }
 
-/// The same across `count` rows of `width` values (distance `stride`), whole rows at a time.
+/// Running mean across `count` rows of `width` values (distance `stride`), whole rows at a time.
 void meanAcross(const float* in, float* out, int count, std::size_t stride, int width, int radius) {
   std::vector<float> sum(width, 0.f);
   int n = 0;
@@ -49,7 +49,7 @@ void meanOfThree(const float* in, float* out, int count) {
   out[count - 1] = 0.5f * (in[count - 2] + in[count - 1]);
 }
 
-/// The same across rows; `before` or `after` is null at the grid's end.
+/// Mean of three rows, value by value; `before` or `after` is null at the grid's end.
 void meanOfRows(const float* before, const float* here, const float* after, float* out, std::size_t width) {
   constexpr float kThird = 1.f / 3;
   if (before && after)

@@ -41,7 +41,7 @@ class Cell {
       stride *= std::size_t(size[a]);
     }
   }
-  /// Trilinear.
+  /// Trilinear value.
   float of(const ScalarField& field) const {
     const float* v = &field.values[first_];
     const auto row = [&](const float* p) { return p[0] + part_[0] * (p[step_[0]] - p[0]); };
@@ -58,7 +58,7 @@ class Cell {
   float part_[3];
 };
 
-/// Trilinear at continuous node coordinates; beyond the grid the value at its edge.
+/// Trilinear value at continuous node coordinates; beyond the grid the value at its edge.
 float sample(const ScalarField& field, const Eigen::Vector3f& at);
 /// Mean over (2 radius + 1)^3 nodes, by running sums; at the edge over the nodes that exist.
 ScalarField boxMean(const ScalarField& field, int radius);

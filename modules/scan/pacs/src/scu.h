@@ -20,7 +20,7 @@ struct Offer {
   bool is_provider = false;  // we act as the storage provider (C-GET)
 };
 
-/// "archive.hospital:104 (PACS)".
+/// Name for messages: "archive.hospital:104 (PACS)".
 std::string nameOf(const PacsNode& node);
 /// Throws Error: invalid title or port, certificate missing.
 void check(const PacsNode& node);

@@ -96,7 +96,7 @@ struct Sampler {
 
 constexpr int kMinDepth_mm = 20,
               kMaxDepth_mm = 10;  // search depth of minimum and maximum (Smith 2002)
-constexpr double kMinRadius_mm = 3.33, kMaxRadius_mm = 10;  // of curvature (Smith 2002)
+constexpr double kMinRadius_mm = 3.33, kMaxRadius_mm = 10;  // radii of curvature (Smith 2002)
 
 /// Force along the normal, as a share of the mean edge length: Smith's equation 13.
 double intensityPull(const Sampler& sample, const Vector3d& p, const Vector3d& n, const BetIntensities& t,
@@ -182,8 +182,8 @@ BetSurface evolveBet(const Volume& image, const BetSphere& start, const BetInten
 }
 
 Mask enclosed(const BetSurface& surface, const volume::VoxelGrid& grid) {
-  // The surface's voxels are marked densely. Everything that cannot be reached from outside is then inside,
-  // also with folds.
+  // Marks the surface's voxels densely. Everything that cannot be reached from outside is then inside, also
+  // with folds.
   Mask wall{grid, std::vector<std::uint8_t>(grid.count())};
   const Eigen::Affine3d to_voxel = grid.mri_from_voxel.inverse();
   for (const auto& t : surface.triangles) {

@@ -13,12 +13,12 @@ namespace facenav::segmentation {
 
 struct BetSphere {
   Eigen::Vector3d centre_mm;  // Mri
-  double radius_mm = 70;      // of a ball with the brain's volume
+  double radius_mm = 70;      // radius of a ball with the brain's volume
 };
 
 struct BetIntensities {
   float t2 = 0, t = 0, t98 = 0;  // robust minimum, brain/background threshold, robust maximum
-  float median = 0;              // within the sphere: between grey and white matter
+  float median = 0;              // median within the sphere: between grey and white matter
 };
 
 struct BetOptions {
@@ -34,7 +34,7 @@ struct BetSurface {
 };
 
 BetIntensities betIntensities(const volume::Volume& image, const BetSphere& sphere, float t2, float t98);
-/// `image`: cubic voxels of about 1 to 2 mm, RAS order. Throws Cancelled.
+/// Grows the surface. `image`: cubic voxels of about 1 to 2 mm, RAS order. Throws Cancelled.
 BetSurface evolveBet(const volume::Volume& image, const BetSphere& start, const BetIntensities& intensities,
                      const BetOptions& options, TaskMonitor& monitor);
 /// Voxels enclosed by the surface, on `grid`.

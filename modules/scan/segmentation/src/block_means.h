@@ -14,7 +14,7 @@ struct BlockMeans {
   std::vector<float> mean;
 };
 
-/// On the scan's own axes. Values that are not finite count as missing, blocks of them as 0.
+/// Block means on the scan's own axes. Values that are not finite count as missing; a block of them gives 0.
 BlockMeans blockMeans(const volume::Volume& volume);
 
 }  // namespace facenav::segmentation

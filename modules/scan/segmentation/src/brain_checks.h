@@ -1,5 +1,5 @@
 #pragma once
-// When a brain mask is refused, and what the radiographer must check.
+// Refuses impossible brain masks, and collects what the radiographer must check.
 
 #include <string>
 #include <vector>
@@ -9,9 +9,10 @@
 
 namespace facenav::segmentation {
 
-/// Throws Error "no brain can be modelled: ..." for a CT, and for a volume too small or flat to hold a head.
+/// Throws Error "no brain can be modelled: ..." for a CT, and for a volume too small or flat to contain a
+/// head.
 void requireMr(const volume::Volume& volume);
-/// The same for a scan too small to hold a brain.
+/// Throws Error "no brain can be modelled: ..." for a scan too small to contain a brain.
 void requireBrainScan(const volume::Volume& volume);
 /// Throws Error "no brain can be modelled: ..." where the tissues have no contrast.
 void requireTissueContrast(const TissueModel& tissue);

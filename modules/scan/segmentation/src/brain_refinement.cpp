@@ -47,9 +47,9 @@ Mask Refinement::tissueAbove(double share) const {
 
 Mask Refinement::brain(double stricter, double rise) const {
   const Mask bright = tissueAbove(growth_.core_share + stricter);
-  // Uses the smoothed image, since noise makes single voxels brighter everywhere. Values above white matter
-  // count as white matter: where the skull's marrow touches a crown, it is brighter than that crown's grey
-  // matter.
+  // The growth uses the smoothed image, since noise makes single voxels brighter everywhere. Values above
+  // white matter count as white matter: where the skull's marrow touches a crown, it is brighter than that
+  // crown's grey matter.
   const Mask tissue = growDownhill(calm_, white_, tissueAbove(growth_.tissue_share + stricter),
                                    {open_fluid_, float(tissue_.white.mean), rise});
   const Mask torn = intersection(erode(intersection(tissue, bright), growth_.tear_mm), near_white_);

@@ -1,5 +1,5 @@
 #pragma once
-// From BET's smooth surface to tissue with closed sulci. Tissue has the intensity of grey or white matter,
+// Refines BET's smooth surface to tissue with closed sulci. Tissue has the intensity of grey or white matter,
 // and lies near that surface and near the connected body of white matter. (BET leaks into the neck where the
 // skull base is thin or blurred, but muscle has no such body.) It must be reachable from that body downhill
 // in intensity, which excludes dura. Erosion separates it from eyes and vessels; it is then grown back within
@@ -17,13 +17,14 @@ class Refinement {
   /// on their grid. `open_fluid`: value of fluid in voxels without tissue.
   Refinement(const volume::Volume& flat, const volume::Volume& calm, const volume::Mask& first,
              const TissueModel& tissue, float open_fluid, const BrainGrowth& growth);
-  /// Brain mask with the settings' limits; may be empty.
+  /// Brain mask for the settings' limits; may be empty.
   volume::Mask brain() const { return brain(0, growth_.rise); }
-  /// `stricter`: added to both limits of tissue. `rise`: allowed on the way downhill from white matter.
+  /// Brain mask for other limits. `stricter`: added to both limits of tissue. `rise`: increase allowed on the
+  /// way downhill from white matter.
   volume::Mask brain(double stricter, double rise) const;
 
  private:
-  /// Tissue within the region.
+  /// Tissue above `share` within the region.
   volume::Mask tissueAbove(double share) const;
 
   const volume::Volume &flat_, &calm_;

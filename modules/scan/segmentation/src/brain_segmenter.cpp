@@ -40,7 +40,7 @@ Found byGrowthAlone(const Volume& working, const Volume& scan, TaskMonitor& moni
   return {std::move(grown.mask), std::move(grown.doubts), sphere, {}};
 }
 
-/// What lies deep within the prior's outline is brain, whatever its intensity (lesions).
+/// Adds the core: what lies deep within the prior's outline is brain, whatever its intensity (lesions).
 Mask withCore(const Mask& grown, const Mask& refined, double core_mm) {
   return volume::fillHoles(unionOf(grown, volume::resample(erode(refined, core_mm), grown.grid)));
 }
@@ -53,15 +53,15 @@ double agreement(const Mask& grown, const Mask& refined) {
   return volume::overlap(grown, volume::resample(refined, grown.grid)).dice;
 }
 
-/// Growth from the head's shape knows nothing of the prior: one sign of agreement is enough. Growth from the
-/// prior's own outline needs both.
+/// True if both masks agree. Growth from the head's shape is independent of the prior, so one sign of
+/// agreement is enough. Growth from the prior's own outline needs both.
 bool isAlike(const Mask& grown, const Mask& refined, bool is_by_prior, const PriorUse& use) {
   const bool agrees = agreement(grown, refined) >= use.least_agreement;
   if (agrees != is_by_prior) return agrees;
   return leaksAndGaps(grown, refined, use.far_mm) <= use.most_far;
 }
 
-/// Grown from one start or the other, to where the refined prior has its outline too; else nothing.
+/// Grows from a start within the reach of the refined prior's outline; nullopt if the two disagree.
 template <class MakeStart>
 std::optional<Found> grownAlike(MakeStart&& makeStart, const Mask& refined, bool is_by_prior,
                                 const Volume& scan, TaskMonitor& monitor) {
@@ -97,7 +97,7 @@ Found byPrior(RefinedPrior refined, const ContrastSeen& seen) {
   return found;
 }
 
-/// In a CT: the prior's outline within the skull.
+/// Brain of a CT: the prior's outline within the skull.
 Found inCt(const Volume& ct, TaskMonitor& monitor) {
   const InstalledPrior& installed = installedPrior();
   if (!installed.network) requireMr({ct.grid, {}, "CT", {}});
@@ -121,7 +121,8 @@ Found inCt(const Volume& ct, TaskMonitor& monitor) {
   return found;
 }
 
-/// The growth's outline, which is good to the voxel, where it agrees with the prior's; else the prior's.
+/// Returns the growth's outline, which is exact to the voxel, if it agrees with the prior's; else the
+/// prior's.
 Found withPrior(const PriorNetwork& network, const Volume& working, const Volume& scan,
                 const BrainPrior& prior, TaskMonitor& monitor) {
   const PriorUse& use = settingsOf<PriorUse>();

@@ -18,16 +18,16 @@ using volume::Volume;
 using volume::VoxelGrid;
 
 constexpr double kPad_mm = 6;          // margin around the scan, so that nothing touches the border
-constexpr double kFine = 0.95;         // of the working spacing
+constexpr double kFine = 0.95;         // share of the working spacing
 constexpr double kTopArea_mm2 = 2500;  // a slice this large is head, not hair or noise
 constexpr double kGirthFrom_mm = 100,
                  kGirthTo_mm = 20;  // below the top: slices that give girth and centre
 constexpr double kRoundness = 0.98,
                  kBrainShare = 0.81;  // per girth: height of the centre, radius of the brain's ball
 constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same value where a head fills 0.4 of its scan
-constexpr float kHeadShare = 0.1f;                      // of the robust maximum: brighter than air
-constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missing
-constexpr int kRoughIterations = 400, kRoughSubdivisions = 3;  // of the surface that only places the ball
+constexpr float kHeadShare = 0.1f;  // share of the robust maximum that is brighter than air
+constexpr double kSkull_mm = 6;     // closes the skull where the scalp over it is missing
+constexpr int kRoughIterations = 400, kRoughSubdivisions = 3;  // for the surface that only places the ball
 constexpr double kBallInBrain_mm = 20;                         // wider than leaks, narrower than the brain
 constexpr double kSkullShare = 1.2,
                  kDarkest = 0.03;  // radius of the region in brain radii; share of its values
@@ -62,8 +62,8 @@ Mask headOf(const Volume& working, float threshold) {
   return largestPart(open(head, 3.0));
 }
 
-/// BET's robust maximum, of the head alone: as a share of the whole scan it would depend on the amount of
-/// air. The head's threshold depends on it in turn; two rounds are enough.
+/// BET's robust maximum, taken in the head alone: over the whole scan it would depend on the amount of air.
+/// The head's threshold depends on this maximum in turn; two rounds are enough.
 float robustMaximum(const Volume& working) {
   float bright = volume::percentile(working, kRobust);
   for (int round = 0; round < 2; ++round) {
@@ -77,7 +77,7 @@ float robustMaximum(const Volume& working) {
 }
 
 /// Value of the skull: the darkest values in the head around the brain. BET's robust minimum of the whole
-/// scan is that of air; at low contrast the gap between brain and scalp is brighter than air.
+/// scan is the value of air; at low contrast the gap between brain and scalp is brighter than air.
 float darkest(const Volume& working, const Mask& head, const BetSphere& sphere) {
   const Mask filled = fillHoles(close(head, kSkull_mm));
   std::vector<float> values;
@@ -146,7 +146,7 @@ BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double
   rough.subdivisions = kRoughSubdivisions;
   const Mask brain =
       enclosed(evolveBet(working, start.sphere, start.intensities, rough, monitor), working.grid);
-  // A place where a ball of this size fits is brain; a leak into the neck or an orbit is too narrow.
+  // A place where a ball of this size fits is brain; leaks into the neck or an orbit are too narrow.
   const Mask core = largestPart(erode(brain, kBallInBrain_mm));
   if (core.volume_ml() == 0) return start;
   BrainStart out;

@@ -21,7 +21,7 @@ constexpr double kMaxLogGain = 1.2;  // limit of the polynomial outside the brai
 
 Eigen::Vector4d powers(double x) { return {1, x, x * x, x * x * x}; }
 
-/// x^i y^j z^k with i + j + k <= 3, in the order of `alongRow`.
+/// Basis x^i y^j z^k with i + j + k <= 3, in the order of `alongRow`.
 Basis basis(const Eigen::Vector3d& p) {
   const Eigen::Vector4d x = powers(p.x()), y = powers(p.y()), z = powers(p.z());
   Basis b;

@@ -25,17 +25,17 @@ struct TissueModel {
 
 volume::Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, double radius_mm);
 
-/// Only the bias, before any mask is known: a polynomial of the second order, fitted to the logarithm of the
-/// values within a ball well inside the brain. Fluid and bright vessels are rejected by their residuals.
+/// Fits only the bias, before any mask is known: a polynomial of the second order, fitted to the logarithm of
+/// the values within a ball well inside the brain. Fluid and bright vessels are rejected by their residuals.
 TissueModel fitRoughBias(const volume::Volume& image, const Eigen::Vector3d& centre_mm, double radius_mm,
                          float air);
 
-/// `core`: safely inside the brain (a first mask, eroded). Air must be 0. `start`: initial classes, where
-/// they are known roughly; without them, a core without fluid would have part of its grey matter classified
-/// as fluid.
+/// Fits bias and classes. `core`: safely inside the brain (a first mask, eroded). Air must be 0. `start`:
+/// initial classes, if roughly known; without them, a core without fluid would have part of its grey matter
+/// classified as fluid.
 TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core,
                       const TissueModel* start = nullptr);
-/// The image (axis-aligned, cubic voxels) without the bias.
+/// Removes the bias from the image (axis-aligned, cubic voxels).
 volume::Volume corrected(const volume::Volume& image, const TissueModel& model);
 
 }  // namespace facenav::segmentation

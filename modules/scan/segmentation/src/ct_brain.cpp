@@ -18,18 +18,19 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-// Physics: air -1000, fat -100, fluid 0 to 15, brain 20 to 45, fresh blood 60 to 90, bone 200 and more.
+// Physical values: air -1000, fat -100, fluid 0 to 15, brain 20 to 45, fresh blood 60 to 90, bone 200 and
+// more.
 constexpr float kLow_hu = -150, kHigh_hu = 250, kBone_hu = 180;
 constexpr double kLeastBrain_hu = 5, kMostBrain_hu = 80;
-constexpr double kSkullReach_mm = 14;  // bone lies this near outside the brain
-constexpr double kLeastSkull = 0.5;    // of the brain's surface has bone outside it; necks have none
+constexpr double kSkullReach_mm = 14;  // reach outside the brain within which bone lies
+constexpr double kLeastSkull = 0.5;    // share of the brain's surface with bone outside it; necks have none
 constexpr double kStep_mm = 1, kSulcus_mm = 2, kSmooth_mm = 1.5;
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
 }
 
-/// Does a ray outwards from a place of the surface meet bone?
+/// True if a ray outwards from a place of the surface meets bone.
 bool meetsBone(const Volume& ct, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& outwards) {
   for (double t = 0; t <= kSkullReach_mm; t += kStep_mm)
     if (volume::sampleLinear(ct, ct.grid.toVoxel(Point<Mri>(from_mm + t * outwards)), kLow_hu) > kBone_hu)
@@ -44,7 +45,7 @@ bool isCt(const Volume& scan) {
   if (scan.modality == "MR" || scan.voxels.empty()) return false;
   try {
     return findHeadThreshold(blockMeans(scan).mean, scan.modality).is_ct;
-  } catch (const Error&) {  // nothing in it
+  } catch (const Error&) {  // the mask is empty
     return false;
   }
 }

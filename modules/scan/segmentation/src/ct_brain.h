@@ -8,17 +8,18 @@
 
 namespace facenav::segmentation {
 
-/// By the modality; where that is not known (NIfTI), by the values.
+/// True for a CT, by the modality; if that is unknown (NIfTI), by the values.
 bool isCt(const volume::Volume& scan);
 
-/// Soft tissue spread from 0 (air, fat's lower end) to the values of bone, as the brain prior needs it.
+/// Maps soft tissue to the range from 0 (air, fat's lower end) to the values of bone, as the brain prior
+/// needs it.
 volume::Volume softTissueWindow(const volume::Volume& ct);
 
-/// Throws Error "no brain can be modelled: ..": not within a skull (a phantom, a leg), or not as dense as a
-/// brain.
+/// Throws Error "no brain can be modelled: .." if the mask is not within a skull (a phantom, a leg), or not
+/// as dense as a brain.
 void requireSkullAround(const volume::Volume& ct, const volume::Mask& brain);
 
-/// What lies within the outline and is no bone and no air.
+/// Removes bone and air from the outline.
 volume::Mask withinSkull(const volume::Volume& ct, const volume::Mask& brain);
 
 }  // namespace facenav::segmentation

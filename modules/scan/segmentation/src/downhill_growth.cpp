@@ -44,8 +44,8 @@ Mask growDownhill(const Volume& image, const Mask& seed, const Mask& within, con
     if (seed.voxels[v]) reach(v, levels[v]);
   const std::size_t row = image.grid.size[0], slab = row * image.grid.size[1];
   const int rise = int(range.rise * (kLevels - 1));
-  // From the highest level down: a path's lowest value only falls, so each voxel is final when its level is
-  // processed.
+  // Processes the highest level first: a path's lowest value only falls, so each voxel is final when its
+  // level is processed.
   for (int level = kLevels; level > 0; --level)
     for (std::size_t at = 0; at < front[level].size(); ++at) {
       const std::size_t v = front[level][at];

@@ -24,12 +24,12 @@ using volume::VoxelGrid;
 
 constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
 
-constexpr float kMostDoubt_mm = 30;  // where another limit finds no brain at all
+constexpr float kMostDoubt_mm = 30;  // doubt where another limit finds no brain at all
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
-constexpr double kSafeShare = 0.8;  // of the first guess's ball: nothing but brain, its fluid and ventricles
-constexpr float kAirShare = 0.1f;   // of the brain's median: below it is air
+constexpr double kSafeShare = 0.8;  // of the first ball: only brain, its fluid and ventricles
+constexpr float kAirShare = 0.1f;   // share of the brain's median below which is air
 
-/// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: where grey
+/// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: if grey
 /// matter is dark, Smith's 0.5 would stop inside it.
 double fractionalThreshold(const TissueModel& tissue, float dark) {
   const double level = 0.5 * (tissue.fluid.mean + tissue.grey.mean);
@@ -37,13 +37,13 @@ double fractionalThreshold(const TissueModel& tissue, float dark) {
                     kSmithsThreshold);
 }
 
-/// The value of fluid where it is wide open (ventricles): the darkest fiftieth of the core. The fluid's
-/// class, most of which lies in narrow sulci, turns brighter with the size of the voxels and darker with
-/// noise. Only where the core holds next to no fluid (the darkest fiftieth comes near the class' mean) it is
-/// told from the class: as far below it as on 1 mm scans of adults, yet fluid is brighter than air.
+/// The value of fluid in wide spaces (ventricles): the darkest fiftieth of the core. The fluid's class lies
+/// mostly in narrow sulci; it becomes brighter with larger voxels and darker with noise. It is used only if
+/// the core contains next to no fluid (the darkest fiftieth is near the class' mean): the value is then as
+/// far below the class as on 1 mm scans of adults, yet brighter than air.
 float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue) {
   constexpr double kDarkest = 0.02;
-  constexpr double kBelowClass = 0.54, kLeastOfClass = 0.4;  // per distance to grey matter, per mean
+  constexpr double kBelowClass = 0.54, kLeastOfClass = 0.4;  // of the distance to grey matter, of the mean
   const double by_class = std::max(tissue.fluid.mean - kBelowClass * (tissue.grey.mean - tissue.fluid.mean),
                                    kLeastOfClass * tissue.fluid.mean);
   std::vector<float> values;
@@ -51,21 +51,22 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
     if (core.voxels[v]) values.push_back(flat.voxels[v]);
   if (values.empty()) return float(by_class);
   const float at = selectRank(values, std::size_t(kDarkest * double(values.size())));
-  // From halfway between both on, the class counts more and more.
+  // From halfway between both on, the weight of the class increases.
   const double away = (at - by_class) / std::max(1e-6, tissue.fluid.mean - by_class);
   return float(at + (by_class - at) * std::clamp(2 * away - 1, 0.0, 1.0));
 }
 
-/// What the surface is sought in: coarse voxels show crowns and thin films of fluid as little as this does.
-/// The classes are told apart better without: where sulci are few, theirs of fluid would be lost.
+/// The image for the search of the surface: its crowns and thin films of fluid are as blurred as in coarse
+/// voxels. The classes are fitted without this blur: where sulci are few, the class of fluid would be lost.
 Volume softened(const Volume& image) {
   return volume::spread(image, Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
 }
 
-constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is given
 
-/// Where a stricter and a more generous limit of tissue would put the surface: from the mean of the fluid in
-/// sulci to where grey matter's class begins; the generous one may also pass into sinuses and dura.
+/// Doubt of the surface: distance to the surfaces of a stricter and a more generous limit of tissue, from the
+/// mean of the fluid in sulci to where grey matter's class begins. The generous one may also pass into
+/// sinuses and dura.
 std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinement,
                                     const BrainGrowth& growth) {
   const auto awayOf = [&](double stricter, double rise) {
@@ -87,7 +88,7 @@ std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinem
   return doubts;
 }
 
-/// Of the brighter half of the ball: fluid and air left out.
+/// Limit of air: a share of the median in the ball, which fluid and air hardly change.
 float airLimit(const Volume& coarse, const BetSphere& sphere) {
   const Mask ball = ballOf(coarse.grid, sphere.centre_mm, kSafeShare * sphere.radius_mm);
   std::vector<float> values;
@@ -100,7 +101,7 @@ float airLimit(const Volume& coarse, const BetSphere& sphere) {
 
 GrowthStart startFromHead(const Volume& working, TaskMonitor& monitor) {
   GrowthStart out;
-  {  // BET's one median and threshold for the whole head need a field that is about even.
+  {  // BET uses one median and threshold for the whole head, so the bias must be about even.
     const Volume coarse = halved(working);
     const BrainStart start = findBrainStart(coarse);
     out.working = corrected(working, fitRoughBias(coarse, start.sphere.centre_mm,
@@ -110,7 +111,7 @@ GrowthStart startFromHead(const Volume& working, TaskMonitor& monitor) {
   const BrainStart by_head = findBrainStart(coarse);
   requireTissueSpread(coarse, by_head.sphere);
   out.sphere = by_head.sphere;
-  // The classes from the first ball: it reaches into the fluid, which the brain's own may hold none of.
+  // The classes from the first ball, which reaches into fluid; the brain's own mask may contain none.
   out.rough =
       fitTissue(coarse, ballOf(coarse.grid, by_head.sphere.centre_mm, kSafeShare * by_head.sphere.radius_mm));
   BetOptions bet;
@@ -142,7 +143,7 @@ GrownBrain growBrain(GrowthStart start, const VoxelGrid& scan, TaskMonitor& moni
   const Volume part = volume::resample(std::exchange(start.working, {}), grid);
   const Volume image = atCommonSharpness(part, scan, core, start.rough);
   monitor.report("measuring grey and white matter", 0.6);
-  // Without the voxels' noise, which would spread the fluid's class down into air and with it the limit of
+  // Removes the voxels' noise, which would spread the fluid's class down into air and with it the limit of
   // tissue.
   const Volume calm = smoothed(image);
   const TissueModel tissue = fitTissue(calm, core, &start.rough);

@@ -1,6 +1,6 @@
 #pragma once
-// The brain grown downhill from white matter within a first mask (brain_refinement.h), in a T1: bias off,
-// brought to one sharpness, noise calmed, tissue classes. The first mask is BET's surface or the learned
+// The brain grown downhill from white matter within a first mask (brain_refinement.h), in a T1: bias removed,
+// common sharpness, noise reduced, tissue classes fitted. The first mask is BET's surface or the learned
 // prior's outline.
 
 #include "bet_surface.h"
@@ -12,27 +12,27 @@
 namespace facenav::segmentation {
 
 struct GrowthStart {
-  volume::Volume working;  // bias taken off roughly
+  volume::Volume working;  // after a rough removal of the bias
   BetSphere sphere;        // the brain's place and size
   TissueModel rough;
   volume::Mask first;    // on a part of the working grid
   double search_mm = 8;  // tissue is sought this far outside `first`
-  double core_mm = 4;    // this deep in `first` there is nothing but brain
+  double core_mm = 4;    // everything this deep in `first` is brain
 };
 
-/// BET's surface, from the head's top and girth. `working`: see workingVolume. Throws Error "no brain can be
-/// modelled: ...", Cancelled.
+/// Start from BET's surface, by the head's top and girth. `working`: see workingVolume. Throws Error "no
+/// brain can be modelled: ...", Cancelled.
 GrowthStart startFromHead(const volume::Volume& working, TaskMonitor& monitor);
-/// `outline`: of the learned prior, on a part of the working grid.
+/// Start from the learned prior's `outline`, on a part of the working grid.
 GrowthStart startFromOutline(const volume::Volume& working, const volume::Mask& outline, double search_mm);
 
 struct GrownBrain {
   volume::Mask mask;  // on a part of the working grid
   std::vector<BoundaryDoubt> doubts;
 };
-/// `scan`: the grid of the scan, whose voxel size tells its sharpness. Throws Error "no brain can be
-/// modelled: ..." where grey and white matter do not differ. Move `start` in: its working volume is given
-/// back before most memory is needed.
+/// Grows the brain. `scan`: the grid of the scan, whose voxel size determines its sharpness. Throws Error "no
+/// brain can be modelled: ..." if grey and white matter do not differ. Move `start` in: its working volume is
+/// released before most memory is needed.
 GrownBrain growBrain(GrowthStart start, const volume::VoxelGrid& scan, TaskMonitor& monitor);
 
 }  // namespace facenav::segmentation

@@ -12,7 +12,7 @@ using volume::Mask;
 
 constexpr double kNarrowOpening_mm = 4.0;  // ear canals, nostrils: closed with a ball of this radius
 constexpr int kMostOpenDirections =
-    4;  // of 26: a voxel that sees the outside in at most this many lies in a cavity
+    4;  // of 26 directions: a voxel with at most this many open ones lies in a cavity
 
 /// Calls visit(neighbour index) for the 6 neighbours within the grid.
 template <class Visit>
@@ -58,8 +58,8 @@ std::vector<std::size_t> outsideOnFace(const Mask& mask, int axis, int at) {
   return outside;
 }
 
-/// One row of rays: is_open where the voxel is not in the mask and the next one on its ray, `di` voxels along
-/// `next`, is open. Without a `next` row, and beyond a row's ends, the ray has reached the outside.
+/// Casts one row of rays: is_open where the voxel is not in the mask and the next one on its ray, `di` voxels
+/// along `next`, is open. Without a `next` row, and beyond a row's ends, the ray has reached the outside.
 void castRow(const std::uint8_t* mask, const std::uint8_t* next, int di, int n, std::uint8_t* is_open) {
   if (!next) {
     for (int i = 0; i < n; ++i) is_open[i] = !mask[i];
@@ -70,7 +70,7 @@ void castRow(const std::uint8_t* mask, const std::uint8_t* next, int di, int n, 
   if (last < n) is_open[n - 1] = !mask[n - 1];
   if (next != is_open)
     for (int i = first; i < last; ++i) is_open[i] = (!mask[i]) & next[i + di];
-  else if (di > 0)  // along the row itself: from its far end
+  else if (di > 0)  // along the row itself: starts at its far end
     for (int i = last - 1; i >= first; --i) is_open[i] = (!mask[i]) & next[i + 1];
   else
     for (int i = first; i < last; ++i) is_open[i] = (!mask[i]) & next[i - 1];

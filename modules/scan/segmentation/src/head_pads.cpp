@@ -15,7 +15,7 @@ using volume::Volume;
 
 constexpr double kThinnest_mm = 2.5;  // half the thickness: ears are thinner
 constexpr double kRegrow_mm = 24;
-constexpr double kOuter_mm = 5;  // below the outer side
+constexpr double kOuter_mm = 5;  // depth below the outer side
 constexpr float kAir = 0.5f;
 constexpr double kUnsure = 4;  // voxels at the window's end, where one of the two windows is missing
 

@@ -33,7 +33,7 @@ float crossMean(const Volume& volume, int i, int j, int k) {
   return float(sum / n);
 }
 
-/// Each voxel of the shell takes the majority value of its 27-neighbourhood, for a smooth outline.
+/// Gives each voxel of the shell the majority value of its 27-neighbourhood, for a smooth outline.
 Mask majority(const Mask& fine, const Mask& outer, const Mask& inner, const BlockMeans& coarse) {
   Mask out = fine;
   const std::size_t nx = fine.grid.size[0], nxy = nx * fine.grid.size[1];

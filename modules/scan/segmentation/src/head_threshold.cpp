@@ -31,7 +31,7 @@ bool looksLikeCt(const std::vector<float>& sorted) {
   return air > 0.08 && soft > 0.05 && between < 0.5 * soft && air + between + soft > 0.75;
 }
 
-/// The split with the greatest variance between the classes (Otsu 1979), as an index into the sorted values.
+/// Split with the greatest variance between the classes (Otsu 1979), as an index into the sorted values.
 /// Values above the 98th percentile count as that percentile, so that bright fat does not raise the split.
 std::size_t otsuSplit(const std::vector<float>& sorted) {
   const float cap = sorted[std::size_t(0.98 * double(sorted.size() - 1))];

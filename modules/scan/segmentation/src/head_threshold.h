@@ -13,8 +13,8 @@ struct HeadThreshold {
   double value = 0.0;                 // values above are tissue
 };
 
-/// `values`: block means of about 2 mm; `modality` as in volume::Volume. Throws Error for a volume with one
-/// single value ("no head in this volume").
+/// Finds the threshold. `values`: block means of about 2 mm; `modality` as in volume::Volume. Throws Error
+/// for a volume with one single value ("no head in this volume").
 HeadThreshold findHeadThreshold(std::vector<float> values, const std::string& modality);
 
 }  // namespace facenav::segmentation

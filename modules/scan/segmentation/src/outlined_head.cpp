@@ -24,16 +24,16 @@ using volume::Volume;
 
 constexpr double kThinAttachment_mm =
     5.0;  // head holder shells, ghosts: removed by opening with a ball of this radius
-constexpr double kSkinBlur_mm = 2;     // further from the head nothing of its own signal is left
-constexpr double kAround_mm = 4;       // what surrounds a place lies this near
+constexpr double kSkinBlur_mm = 2;     // further from the head, none of its own signal is left
+constexpr double kAround_mm = 4;       // radius of a place's surroundings
 constexpr double kPadContact_mm = 10;  // this near to a pad, the pad's level counts as air's
-constexpr double kLeastTissue = 0.5;   // of the scan's tissue: shading leaves this much in a head
+constexpr double kLeastTissue = 0.5;   // share of the scan's tissue that shading leaves in a head
 constexpr double kThinPad_mm = 2;      // half the thickness of a thing worth naming
 constexpr double kHaze_mm = 6;         // haze is measured this near to the head
 constexpr double kMuchHaze = 0.05;     // as a share of the skin's signal; scans without it show 0.02
 constexpr int kRounds = 2;
-constexpr float kSureAir = 0.7f;     // to the brain prior, whose voxels are coarse
-constexpr float kLeastStep = 0.25f;  // of tissue above a pad, per tissue above air: else both look alike
+constexpr float kSureAir = 0.7f;     // probability of air by the brain prior, whose voxels are coarse
+constexpr float kLeastStep = 0.25f;  // of tissue above a pad, relative to above air: else both look alike
 constexpr double kEarsAndNose_mm =
     14.0;  // parts removed by the opening are restored this far if tissue connects them
 
@@ -61,7 +61,7 @@ Mask outerTissue(const Mask& head, const std::optional<Volume>& air, double reac
   return layer;
 }
 
-/// Air, pads and haze: what lies beyond the skin's blur outside `head`, or is air to the brain prior.
+/// Air, pads and haze: voxels beyond the skin's blur outside `head`, or air by the brain prior.
 Mask surroundings(const Mask& head, const std::optional<Volume>& air, const Mask& pads) {
   Mask beyond = head;
   if (air)
@@ -74,7 +74,7 @@ Mask surroundings(const Mask& head, const std::optional<Volume>& air, const Mask
   return outside;
 }
 
-/// Mean of the brighter of the voxels set in `tissue` about each voxel: of those above their own local mean.
+/// Mean, around each voxel, of the voxels set in `tissue` that are above their own local mean.
 std::vector<float> localTissue(const Mask& tissue, const std::vector<float>& values, double reach_mm,
                                float otherwise) {
   const std::vector<float> mean = volume::localMean(tissue.grid, values, tissue.voxels, reach_mm, otherwise);
@@ -83,8 +83,8 @@ std::vector<float> localTissue(const Mask& tissue, const std::vector<float>& val
   return volume::localMean(tissue.grid, values, bright, reach_mm, otherwise);
 }
 
-/// Limits at `share` of the way from what surrounds the head to its tissue. Where both look alike, the
-/// limit of the whole scan.
+/// Limits at `share` of the way from the head's surroundings to its tissue. Where both look alike, the limit
+/// of the whole scan.
 std::vector<float> localLimits(const BlockMeans& coarse, const HeadThreshold& threshold,
                                const std::vector<float>& tissue, const Mask& outside, const Mask& pads,
                                const HeadOutline& outline) {
@@ -105,8 +105,8 @@ std::vector<float> localLimits(const BlockMeans& coarse, const HeadThreshold& th
   return limits;
 }
 
-/// Volume of the thick parts of `first` that `head` left out; where the brain prior is known, of what it does
-/// not take for tissue.
+/// Volume of the thick parts of `first` that are not in `head`; with the brain prior, only of parts that it
+/// does not classify as tissue.
 double leftOut_ml(const Mask& first, const Mask& head, const std::optional<Volume>& air, double least_ml) {
   const std::vector<float> away_mm = distanceTo(head);
   Mask beside = first;
@@ -130,8 +130,8 @@ double hazeAround(const BlockMeans& coarse, const HeadThreshold& threshold, cons
   return shares.empty() ? 0 : upperMedian(std::move(shares));
 }
 
-/// Is this a head, and not noise or a phantom bottle? Size limits are generous: from a child's head to a scan
-/// with shoulders.
+/// Throws Error if the mask is noise or a phantom bottle, not a head. Size limits are generous: from a
+/// child's head to a scan with shoulders.
 void requireHead(const Mask& head) {
   std::array<int, 3> low = head.grid.size, high{-1, -1, -1};
   std::size_t count = 0, v = 0;
@@ -176,7 +176,7 @@ OutlinedHead outlinedHead(const Volume& scan, const BlockMeans& coarse, const He
       localTissue(layer, coarse.mean, outline.tissue_reach_mm, float(threshold.tissue));
   Mask head = first;
   for (std::size_t v = 0; v < head.voxels.size(); ++v) head.voxels[v] = head.voxels[v] && !out.pads.voxels[v];
-  for (int round = 0; round < kRounds; ++round) {  // haze within the first mask is air to the second
+  for (int round = 0; round < kRounds; ++round) {  // the second treats haze in the first mask as air
     out.limits = localLimits(coarse, threshold, tissue, surroundings(head, air, out.pads), out.pads, outline);
     head = coarseHead(above(coarse, out.limits, out.pads), false);
   }

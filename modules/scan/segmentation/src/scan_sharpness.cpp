@@ -18,7 +18,7 @@ using volume::Volume;
 
 constexpr double kSpread = 0.26;  // variance of MR's point spread (FWHM 1.21 voxels), per voxel edge squared
 constexpr double kCoarsest_mm = 1.5;  // coarsest voxel whose point spread can be sharpened
-constexpr double kBrightest = 1.15;   // times white matter: vessels are brighter
+constexpr double kBrightest = 1.15;   // relative to white matter: vessels are brighter
 constexpr double kDeep_mm = 3.2;      // deeper in white matter there is only noise
 constexpr double kPass_mm2 = 0.5;     // variance added by one pass of `smoothed` on a grid of 1 mm
 constexpr double kMostVariance = 0.5;

@@ -19,8 +19,8 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kMargin_mm = 4;  // so that the field reaches 0 within the grid
-constexpr double kRim_mm = 1.5;   // around the mask: fluid, not yet skull
+constexpr double kMargin_mm = 4;  // margin, so that the field reaches 0 within the grid
+constexpr double kRim_mm = 1.5;   // rim around the mask: fluid, not yet skull
 constexpr double kCore_mm = 4;    // deeper within the mask there is only brain
 
 Volume shareOf(const Volume& flat, const TissueModel& tissue) {
@@ -30,7 +30,7 @@ Volume shareOf(const Volume& flat, const TissueModel& tissue) {
   return share;
 }
 
-/// Where white matter is darker than grey, the classes would be taken for each other.
+/// Throws Error if white matter is darker than grey: the classes would be confused.
 void requireWhiteAboveGrey(const Volume& image, const Mask& brain) {
   const Volume coarse = halved(image);
   const Volume inside = halved({brain.grid, {brain.voxels.begin(), brain.voxels.end()}, {}, {}});
@@ -40,8 +40,7 @@ void requireWhiteAboveGrey(const Volume& image, const Mask& brain) {
                 "a T1-weighted MR is needed");
 }
 
-/// Ventricles and cisterns: what lies too deep to be a sulcus, and what no path through fluid joins to the
-/// outside.
+/// Fills ventricles and cisterns: voxels too deep for a sulcus, and fluid that no path joins to the outside.
 void fillEnclosed(Volume& share, const Mask& brain) {
   const auto depth_mm = volume::depthWithin(brain);
   Mask tissue{share.grid, std::vector<std::uint8_t>(share.voxels.size())};
@@ -71,7 +70,7 @@ Volume tissueShare(const Volume& mri, const Mask& brain, double spacing_mm, Task
   requireTissueContrast(tissue);
   monitor.report("opening the sulci", 0.6);
   Volume share = shareOf(corrected(image, tissue), tissue);
-  // A slope at the mask's own edge where it cuts through tissue (dura, brainstem).
+  // Adds a slope at the mask's own edge where it cuts through tissue (dura, brainstem).
   Volume slope{grid, std::vector<float>(inside.voxels.begin(), inside.voxels.end()), {}, {}};
   slope = smoothed(slope);
   for (std::size_t v = 0; v < share.voxels.size(); ++v)

@@ -10,7 +10,7 @@
 
 namespace facenav::volume {
 
-/// 1 if a voxel of the mask that is set (or unset, if `is_set` is false) lies within
+/// Dilates by a ball: 1 if a voxel of the mask that is set (or unset, if `is_set` is false) lies within
 /// sqrt(`squared_radius_mm2`) of the voxel, else 0. Outside the grid there are no voxels of either kind.
 std::vector<std::uint8_t> withinBall(const Mask& mask, bool is_set, float squared_radius_mm2);
 

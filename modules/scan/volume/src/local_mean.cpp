@@ -9,9 +9,9 @@
 namespace facenav::volume {
 namespace {
 
-constexpr float kLeastWeight = 1e-3f;  // of the voxels about a place
+constexpr float kLeastWeight = 1e-3f;  // least weight of voxels near a place
 
-constexpr int kLines = 16;  // done side by side: a cache line of floats
+constexpr int kLines = 16;  // lines processed side by side: a cache line of floats
 constexpr int kPasses = 3;
 
 /// Neighbouring lines of equal length, value by value: `values[q * kLines + line]`.

@@ -25,8 +25,8 @@ void forVoxelsIn(const Volume& map, const Vector3d& centre_mm, double radius_mm,
       }
 }
 
-/// Where the parabola through a voxel and its neighbours along one axis peaks, in voxels from it; 0 where it
-/// has none.
+/// Offset in voxels of the peak of the parabola through a voxel and its neighbours along one axis; 0 if there
+/// is none.
 double parabola(const Volume& map, const Voxel& at, std::size_t axis) {
   Voxel before = at, after = at;
   --before[axis], ++after[axis];

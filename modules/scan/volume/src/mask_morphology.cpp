@@ -21,7 +21,7 @@ struct LineTransform {
   std::vector<int> corner;
   std::vector<float> from, start;
 
-  /// `w`: the squared step in mm^2.
+  /// Transforms a line of `n` values. `w`: the squared step in mm^2.
   void run(float* line, std::size_t stride, int n, float w) {
     float highest = 0;
     for (int i = 0; i < n; ++i) f[i] = line[i * stride], highest = std::max(highest, f[i]);
@@ -49,10 +49,10 @@ struct LineTransform {
   }
 };
 
-/// Along one line of voxels: the squared distance to the nearest voxel of the target.
+/// Squared distance along one line to the nearest voxel of the target.
 void nearestAlong(const std::uint8_t* mask, bool target, int n, float w, float* line) {
   const auto sweep = [&](int from, int end, int step, auto&& keep) {
-    int steps = -1;  // since the last voxel of the target
+    int steps = -1;  // steps since the last voxel of the target
     for (int i = from; i != end; i += step) {
       steps = (mask[i] != 0) == target ? 0 : steps < 0 ? -1 : steps + 1;
       keep(line[i], steps < 0 ? kFar : w * float(steps) * float(steps));
@@ -98,10 +98,10 @@ std::vector<float> squaredDistance(const Mask& mask, std::uint8_t target) {
   return d;
 }
 
-/// Slightly larger, so that a voxel at exactly the radius is included despite rounding.
+/// Squared radius, slightly enlarged so that a voxel at exactly the radius is included despite rounding.
 float squaredRadius(double radius_mm) { return float(radius_mm * radius_mm * (1 + 1e-5)); }
 
-constexpr int kWindow = 24;  // voxels; for larger balls the envelope is faster
+constexpr int kWindow = 24;  // largest radius in voxels; for larger balls the envelope is faster
 
 Mask keep(const Mask& mask, const std::vector<float>& value, bool (*rule)(float, float), float limit) {
   Mask out{mask.grid, std::vector<std::uint8_t>(mask.voxels.size())};
@@ -157,7 +157,7 @@ class Parts {
 
  private:
   struct Run {
-    std::size_t first, count, up;  // up: towards the part's root
+    std::size_t first, count, up;  // up: index of the run towards the part's root
   };
 
   void addRuns(const std::uint8_t* row, std::size_t first, int count) {

@@ -24,7 +24,7 @@ struct ImageDeleter {
 };
 using ImagePtr = std::unique_ptr<nifti_image, ImageDeleter>;
 
-/// Own reader, because niftiio silently fills the missing part of a truncated file with zeros.
+/// Reads the voxels without niftiio, which silently fills the missing part of a truncated file with zeros.
 void readVoxels(nifti_image& image, const std::filesystem::path& path) {
   constexpr double kMostCompression = 1040;  // deflate's limit is 1032
   const auto refuse = [&] {
@@ -162,7 +162,7 @@ ImagePtr makeImage(const VoxelGrid& grid, int datatype) {
   return image;
 }
 
-/// Gives the voxels of `image` back as soon as they are copied.
+/// Writes `image`, and releases its voxels as soon as they are copied.
 void writeImage(nifti_image& image, const std::filesystem::path& path, FileAccess access) {
   const std::string name = path.filename().string();
   const bool is_gz = name.size() > 7 && name.substr(name.size() - 7) == ".nii.gz";

@@ -26,14 +26,14 @@ void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) 
     throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
 }
 
-/// The coordinate space that an xform code stands for (nifti1.h).
+/// The coordinate space of an xform code (nifti1.h).
 std::string spaceOf(int code) {
   constexpr const char* kSpaces[] = {"absent",    "scanner", "aligned to another scan",
                                      "Talairach", "MNI",     "template"};
   return code >= 0 && code < 6 ? kSpaces[code] : "code " + std::to_string(code);
 }
 
-/// Lengths as the header states them; unknown ones are mm, as all programs take them.
+/// Converts lengths from the header's unit to mm; an unknown unit is taken as mm, as other programs do.
 Eigen::Affine3d inMillimetres(Eigen::Affine3d affine, int units) {
   const double scale = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
   affine.linear() *= scale;

@@ -1,5 +1,5 @@
 #pragma once
-// Where a NIfTI file's voxels lie: its sform or its qform, RAS mm.
+// Voxel-to-world map of a NIfTI file: its sform or its qform, RAS mm.
 
 #include <nifti1_io.h>
 
@@ -10,7 +10,7 @@
 
 namespace facenav::volume {
 
-/// The voxel-to-world map that was chosen, and in words why.
+/// The chosen voxel-to-world map, and the reason as text.
 struct WorldMap {
   VoxelGrid grid;
   bool is_template_space = false;
@@ -18,9 +18,9 @@ struct WorldMap {
   std::optional<std::string> warning;
 };
 
-/// The map that choice asks for; automatic takes the sform if its code is > 0, else the qform. Lengths in
-/// metres or micrometres become mm. where: the file's name, for messages. Throws Error: no map, the requested
-/// map is absent, singular or sheared axes.
+/// Chooses the map; automatic takes the sform if its code is > 0, else the qform. Lengths in metres or
+/// micrometres become mm. where: the file's name, for messages. Throws Error: no map, the requested map is
+/// absent, singular or sheared axes.
 WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::string& where);
 
 }  // namespace facenav::volume

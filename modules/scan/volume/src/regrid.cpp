@@ -133,7 +133,7 @@ void forRows(const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
   });
 }
 
-/// Trilinear: eight neighbours.
+/// Trilinear value from eight neighbours.
 template <class Value>
 struct Linear {
   Linear(const std::vector<Value>& values, const VoxelGrid& on)
@@ -160,7 +160,7 @@ std::array<float, 4> cubicWeights(float t) {
           0.5f * (t3 - t2)};
 }
 
-/// Sixty-four neighbours, all within the grid; four of a row at a time.
+/// Cubic value from 64 neighbours, all within the grid; four of a row at a time.
 float cubicInside(const float* first, std::size_t row, std::size_t slab,
                   const std::array<std::array<float, 4>, 3>& weight) {
   Eigen::Array4f sum = Eigen::Array4f::Zero();
@@ -172,7 +172,7 @@ float cubicInside(const float* first, std::size_t row, std::size_t slab,
   return (sum * Eigen::Map<const Eigen::Array4f>(weight[0].data())).sum();
 }
 
-/// Sixty-four neighbours; the grid's edge is repeated.
+/// Cubic value from 64 neighbours; the grid's edge is repeated.
 float cubicAt(const Volume& volume, const Between& at) {
   const auto& n = volume.grid.size;
   std::array<std::array<float, 4>, 3> weight;

@@ -16,7 +16,7 @@ void requireChessboard(const Board& board) {
   if (board.isCharuco()) throw Error("a ChArUco board is not drawn here", "", "use a chessboard, 9x6 say");
 }
 
-/// Squares whose colour is black: as findCorners expects, the one inside the first four corners is black.
+/// True for black squares. As findCorners expects, the one inside the first four corners is black.
 bool isBlackSquare(int column, int row) { return (column + row) % 2 == 0; }
 
 }  // namespace
@@ -54,7 +54,7 @@ void writeBoardPage(const Board& board, const std::filesystem::path& path) {
 
 cv::Mat boardPicture(const Board& board, const cv::Size& size, int* square_px) {
   requireChessboard(board);
-  // Half a square of white all around.
+  // Leaves half a square of white all around.
   const int side = std::min(size.width / (board.columns + 2), size.height / (board.rows + 2));
   if (side < 4) throw Error("the picture is too small for the board", "", "use a larger screen");
   if (square_px) *square_px = side;

@@ -1,5 +1,5 @@
 #pragma once
-// The pose of a board that fits both images best. It gives the error of a rig on a view, used or held out.
+// The board's pose that fits both images best. It determines the error of a rig on a view, used or held out.
 
 #include "facenav/cameras/calibrate.h"
 
@@ -8,7 +8,7 @@ namespace facenav::cameras {
 struct ViewFit {
   Eigen::Isometry3d camera_T_board = Eigen::Isometry3d::Identity();
   double left_rms_px = 0, right_rms_px = 0;
-  /// Of both sides together.
+  /// Rms of both sides together.
   double rms_px() const { return std::sqrt(0.5 * (left_rms_px * left_rms_px + right_rms_px * right_rms_px)); }
 };
 
@@ -16,7 +16,8 @@ struct ViewFit {
 Eigen::Isometry3d solveBoardPose(const CameraModel& camera, const std::vector<cv::Point3f>& points,
                                  const std::vector<cv::Point2f>& corners);
 
-/// Least squares over both images, 6 degrees of freedom. Start: cv::solvePnP in the left image.
+/// Fits the board to both images by least squares, 6 degrees of freedom. Start: cv::solvePnP in the left
+/// image.
 ViewFit fitBoard(const StereoRig& rig, const BoardView& view, const Board& board);
 
 }  // namespace facenav::cameras

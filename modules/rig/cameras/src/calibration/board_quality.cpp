@@ -10,9 +10,9 @@
 namespace facenav::cameras {
 namespace {
 
-constexpr int kSamples = 41;  // of a profile across an edge
+constexpr int kSamples = 41;  // samples of a profile across an edge
 
-/// Corner by its number; nothing where it was not seen.
+/// Corners by their numbers; nullopt for corners that were not seen.
 std::vector<std::optional<cv::Point2f>> byNumber(const SeenCorners& seen, const Board& board) {
   std::vector<std::optional<cv::Point2f>> all(std::size_t(board.corners()));
   for (std::size_t i = 0; i < seen.px.size(); ++i) all[std::size_t(seen.ids[i])] = seen.px[i];
@@ -32,7 +32,7 @@ std::vector<float> profile(const cv::Mat& image, cv::Point2f from, cv::Point2f t
   return values;
 }
 
-/// Where a rising profile passes `level`, in samples, from its middle outwards.
+/// Position, in samples, where a rising profile passes `level`, searched from its middle outwards.
 std::optional<double> crossing(const std::vector<float>& values, double level, int step) {
   for (int i = kSamples / 2; i > 0 && i < kSamples - 1; i += step) {
     const double here = values[std::size_t(i)], next = values[std::size_t(i + step)];
@@ -46,7 +46,7 @@ struct QualitySamples {
   std::vector<double> widths_px, whites, blacks, squares_px;
 };
 
-/// One edge, crossed in its middle at a right angle, `span` squares to either side.
+/// Adds one edge, crossed in its middle at a right angle, `span` squares to either side.
 void addEdge(const cv::Mat& image, cv::Point2f a, cv::Point2f b, float span, QualitySamples& samples) {
   const cv::Point2f edge = b - a, across(-edge.y * span, edge.x * span), middle = 0.5F * (a + b);
   auto values = profile(image, middle - across, middle + across);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kFewestViews = 5;
 
-// Both images of a view must have their corners in one order. Boards whose colours do not define it are
-// turned here.
+// Turns boards so that both images of a view have their corners in one order; needed where the board's
+// colours do not define it.
 std::vector<BoardView> withOneOrder(std::vector<BoardView> views) {
   for (auto& view : views) {
     if (!view.left_ids.empty()) continue;
@@ -75,7 +75,8 @@ BoardView foundIn(const CalibrationPair& pair, const Board& board) {
 
 bool isFound(const BoardView& view) { return !view.left.empty() && !view.right.empty(); }
 
-// A few pairs at a time on all cores, so that the caller's thread can report progress and see a cancel.
+// Finds the boards of a few pairs at a time on all cores, so that the caller's thread can report progress and
+// see a cancel.
 std::vector<BoardView> findBoards(const std::vector<CalibrationPair>& pairs, const Board& board,
                                   TaskMonitor& monitor) {
   constexpr int kAtATime = 8;

@@ -31,7 +31,7 @@ void refine(const cv::Mat& image, const Board& board, SeenCorners& seen) {
     for (std::size_t j = i + 1; j < seen.px.size(); ++j)
       spacing_px = std::min(spacing_px, float(cv::norm(seen.px[i] - seen.px[j])));
   const double clear =
-      0.5 * (1.0 - board.marker_mm.value() / board.square_mm);  // of a square, along each side
+      0.5 * (1.0 - board.marker_mm.value() / board.square_mm);  // share of a square, along each side
   const int half = std::clamp(int(0.9 * clear * double(spacing_px)), 2, 25);
   cv::cornerSubPix(image, seen.px, {half, half}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4});

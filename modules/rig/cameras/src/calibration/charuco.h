@@ -5,7 +5,8 @@
 
 namespace facenav::cameras {
 
-/// As findBoard(). Throws Error for an unknown dictionary, or one with too few markers for the board.
+/// Finds a ChArUco board as findBoard() does. Throws Error for an unknown dictionary, or one with too few
+/// markers for the board.
 SeenCorners findCharuco(const cv::Mat& image, const Board& board);
 
 }  // namespace facenav::cameras

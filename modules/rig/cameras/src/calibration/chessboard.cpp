@@ -14,16 +14,14 @@ namespace {
 
 using Corners = std::vector<cv::Point2f>;
 
-// Half window as a fraction of the least distance of two corners. Measured on 13 real pairs: rms 0.210,
-// 0.202, 0.197, 0.194, 0.342 px at 0.20, 0.25, 0.30, 0.35, 0.40 (at 0.40 the window extends past the last
-// squares).
+// Half window of the sub-pixel refinement, as a fraction of the least distance of two corners. At 0.4 the
+// window extends past the last squares. Evidence: resources/doc/evidence.md.
 constexpr float kWindowBySpacing = 0.3f;
 
-// Larger images are searched at half their size first. Measured on 1024 x 1024: four times as fast.
+// Larger images are searched at half their size first, which is several times as fast.
 constexpr int kLarge_px = 900;
 
-// Longer side of the copy that a live picture is searched in. At 480, 9 of 20 boards of the shared boards_2
-// were found (10 mm squares, 1024 x 1024).
+// Longer side of the reduced copy in which a live picture is searched. Smaller copies miss small boards.
 constexpr int kLive_px = 720;
 
 constexpr int kThorough = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE;
@@ -34,7 +32,7 @@ Corners detect(const cv::Mat& image, const Board& board, int how = kThorough) {
   return is_found && int(corners.size()) == board.corners() ? corners : Corners();
 }
 
-// Finds the corners to a pixel or two.
+// Finds the corners with an error of a pixel or two.
 Corners detectQuickly(const cv::Mat& image, const Board& board) {
   if (std::max(image.cols, image.rows) > kLarge_px) {
     cv::Mat half;
@@ -124,7 +122,7 @@ Board boardFromText(const std::string& whole, double square_mm, std::optional<do
 
 namespace {
 
-/// In a small copy of the picture, and only where it looks like a board at all.
+/// Searches a small copy of the picture, and only if it looks like a board at all.
 Corners detectAtOnce(const cv::Mat& image, const Board& board) {
   const double scale = std::min(1.0, double(kLive_px) / std::max(image.cols, image.rows));
   cv::Mat small = image;
@@ -135,7 +133,7 @@ Corners detectAtOnce(const cv::Mat& image, const Board& board) {
   return corners;
 }
 
-/// Corners to a pixel or two -> in the order of the board, sub-pixel.
+/// Refines corners to sub-pixel, in the order of the board.
 Corners finished(const cv::Mat& image, const Board& board, Corners corners) {
   if (corners.empty()) return {};
   makeRightHanded(board, corners);

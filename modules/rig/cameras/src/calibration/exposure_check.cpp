@@ -92,7 +92,7 @@ TrustedViews trustedViews(const std::vector<BoardView>& views, const cv::Size& s
     if (rms[worst] < limit_px) break;
     trusted.used.erase(trusted.used.begin() + std::ptrdiff_t(worst));
   }
-  // The views that moved have bent the rig: give views that were left out because of it a second chance.
+  // Gives views a second chance that were left out only because the views that moved had bent the rig.
   if (trusted.used.size() < good.size()) {
     const auto rms = rmsTogether(views, good, solve(trusted.used), board);
     for (std::size_t i = 0; i < good.size(); ++i)

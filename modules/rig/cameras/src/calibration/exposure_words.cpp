@@ -11,10 +11,11 @@ namespace {
 
 // With fewer views, a small delay common to all cannot be separated from the cameras' real pose.
 constexpr std::size_t kFewestStill = 8;
-// When half the views moved, those that passed the test probably moved too, by a little less.
+// If half the views moved, those that passed the test probably moved too, by a little less.
 constexpr double kLeastSimultaneous = 0.5;
-constexpr double kNotedShare = 0.1;  // of views that moved: more than a slip of the hand
-// Error of both cameras together against each alone. Lens models make it some 0.05 px larger.
+constexpr double kNotedShare = 0.1;  // share of views that moved: more than a slip of the hand
+// Limits for the error of both cameras together, relative to each alone, and in px. Lens models make it some
+// 0.05 px larger.
 constexpr double kNotedByAlone = 1.6, kNotedDisagreement_px = 0.15;
 const char* const kRemedy = "trigger both cameras together, or hold the board still for each pair";
 

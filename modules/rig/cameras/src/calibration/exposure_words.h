@@ -16,7 +16,7 @@ void requireSimultaneous(const BoardViews& task, const TrustedViews& trusted);
 std::vector<std::string> simultaneityWarnings(const BoardViews& task, const TrustedViews& trusted,
                                               const Calibration& result);
 
-/// Why view `i` is not used.
+/// Reason why view `i` is not used.
 std::string reasonFor(const BoardViews& task, const TrustedViews& trusted, const StereoRig& rig,
                       std::size_t i);
 

@@ -24,7 +24,7 @@ const LensModel& usualLens();
 
 RigFit solve(const BoardViews& task, const ViewIndices& used, const LensModel& model);
 
-/// Throws Error or cv::Exception when the views do not determine the cameras.
+/// Chooses a model. Throws Error or cv::Exception if the views do not determine the cameras.
 LensChoice chooseLens(const BoardViews& task, const ViewIndices& used, TaskMonitor& monitor);
 
 }  // namespace facenav::cameras

@@ -9,7 +9,7 @@
 
 namespace facenav::cameras {
 
-/// Which terms the lens distortion has.
+/// Terms of the lens distortion.
 struct LensTerms {
   int coefficients = 4;       // 4: k1 k2 p1 p2; 5: and k3; 8: rational
   bool is_tangential = true;  // false: p1 = p2 = 0
@@ -22,7 +22,7 @@ struct RigFit {
   double baseline_sigma_mm = 0;
 };
 
-/// Throws Error when the views do not determine the cameras.
+/// Fits the rig. Throws Error if the views do not determine the cameras.
 RigFit adjustRig(const std::vector<const BoardView*>& views, const cv::Size& image_size, const Board& board,
                  const LensTerms& lens);
 

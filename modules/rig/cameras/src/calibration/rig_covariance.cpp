@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MatrixXd inverse(const MatrixXd& symmetric) {
-  // Parameters have very different units (focal lengths in px, k3): solved with a diagonal of 1.
+  // Solves with a diagonal of 1, because parameters have very different units (focal lengths in px, k3).
   const VectorXd scale = symmetric.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
   return scale.asDiagonal() * inverseOfSymmetric(scaled) * scale.asDiagonal();

@@ -12,7 +12,7 @@
 
 namespace facenav::cameras::adjustment {
 
-/// First variance of a coordinate, which weights corners against the prior before residuals exist: 0.2 px
+/// Initial variance of a coordinate, which weights corners against the prior before residuals exist: 0.2 px
 /// squared, twice the error of corners in sharp images.
 constexpr double kFirstVariance_px2 = 0.04;
 
@@ -43,7 +43,7 @@ struct Problem {
   LensTerms lens;
   Layout layout;
   cv::Size size;
-  double variance_px2 = kFirstVariance_px2;  // of a coordinate: the weight of corners against the prior
+  double variance_px2 = kFirstVariance_px2;  // variance of a coordinate: weighs corners against the prior
 
   Problem(const std::vector<const BoardView*>& views, const cv::Size& image_size, const Board& board,
           const LensTerms& lens);
@@ -51,14 +51,14 @@ struct Problem {
 
 State startState(const Problem& problem);
 
-/// Of all corners and of the prior.
+/// Normal equations of all corners and of the prior.
 Normal linearise(const Problem& problem, const State& state);
 double cost(const Problem& problem, const State& state);
 State moved(const Layout& layout, const State& state, const Eigen::VectorXd& step);
 
 /// Information of each view, its board's pose eliminated (Schur complement).
 std::vector<ViewInformation> informationOfViews(const Problem& problem, const State& state);
-/// Size and order: the parameters shared by all views.
+/// Precision of the prior for the parameters shared by all views, in their order.
 Eigen::MatrixXd priorPrecision(const Problem& problem, const State& state);
 
 }  // namespace facenav::cameras::adjustment

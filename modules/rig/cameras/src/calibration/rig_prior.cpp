@@ -3,15 +3,16 @@
 namespace facenav::cameras {
 namespace {
 
-// Lens and sensor of a C or S mount camera are centred to 0.1 - 0.3 mm, on sensors 6 - 11 mm wide.
+// Centring of lens and sensor in C or S mount cameras: 0.1 - 0.3 mm, on sensors 6 - 11 mm wide.
 constexpr double kCentreShare = 0.03;
 // Decentring of assembled lenses: tangential terms above some 1e-3 are hardly ever reported.
 constexpr double kTangential = 1e-3;
-// In effect a millionth of a pixel: holds a term at 0.
+// Holds a term at 0: its effect is a millionth of a pixel.
 constexpr double kHeld = 1e-8;
 // Pixels are square to some 0.1 %; the rest allows for a board printed longer one way than the other.
 constexpr double kAspect = 0.01;
-// No lens needs more. Only limits terms that no view determines (rational model).
+// Upper limit of radial terms; no lens needs more. Only affects terms that no view determines (rational
+// model).
 constexpr double kRadial = 10.0;
 
 constexpr int kFocal = 0, kCentre = 2, kDistortion = 4;

@@ -1,7 +1,7 @@
 #pragma once
-// What is known about a machine vision camera before calibration, as a Gaussian prior. A board at one
-// distance hardly separates principal point, tangential distortion and camera rotation: without a prior the
-// three grow together. Views that determine them override it.
+// Gaussian prior of a machine vision camera before calibration. A board at one distance hardly separates
+// principal point, tangential distortion and camera rotation: without a prior the three grow together. Views
+// that determine them override it.
 
 #include <Eigen/Core>
 
@@ -15,7 +15,7 @@ struct PriorTerms {
   Eigen::MatrixXd jacobian;  // a row per residual, a column per parameter of the rig (order: StereoRig)
 };
 
-/// `is_tangential` false: p1 and p2 are held at 0.
+/// Prior at these cameras. `is_tangential` false: p1 and p2 are held at 0.
 PriorTerms priorTerms(const CameraModel& left, const CameraModel& right, const cv::Size& image_size,
                       bool is_tangential);
 

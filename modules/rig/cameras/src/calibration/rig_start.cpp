@@ -27,7 +27,7 @@ CameraModel startCamera(const Problem& problem, const std::vector<std::vector<cv
   return camera;
 }
 
-// The relative pose nearest to those of all other views.
+// Relative pose nearest to those of all other views.
 Isometry3d middlePose(const std::vector<Isometry3d>& poses) {
   double least = std::numeric_limits<double>::infinity();
   Isometry3d middle = poses.front();

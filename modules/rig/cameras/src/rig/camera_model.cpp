@@ -55,7 +55,7 @@ Distorted distort(const Distortion& d, const Vector2d& n) {
   const double radial = above / below;
   const double d_above = d.k1 + r2 * (2 * d.k2 + 3 * r2 * d.k3),
                d_below = d.k4 + r2 * (2 * d.k5 + 3 * r2 * d.k6);
-  const double d_radial = (d_above - radial * d_below) / below;  // by r2
+  const double d_radial = (d_above - radial * d_below) / below;  // derivative by r2
   const double prism_x = d.s1 + 2 * d.s2 * r2, prism_y = d.s3 + 2 * d.s4 * r2;
   Distorted out;
   out.at = {x * radial + 2 * d.p1 * x * y + d.p2 * (r2 + 2 * x * x) + d.s1 * r2 + d.s2 * r4,
@@ -99,7 +99,7 @@ Eigen::Vector2d undistort(const CameraModel& camera, const Eigen::Vector2d& pixe
     if (miss.norm() < 1e-13) break;
     Vector2d step = now.derivative.inverse() * miss;
     if (!step.allFinite()) break;
-    // Halve the step until the error falls: far off axis the polynomial bends, and a full Newton step may
+    // Halves the step until the error falls: far off axis the polynomial bends, and a full Newton step may
     // jump across the fold.
     Distorted next = distort(d, n + step);
     for (int half = 0; half < 20 && !((wanted - next.at).norm() < miss.norm()); ++half)

@@ -8,7 +8,7 @@
 namespace facenav::cameras {
 
 Eigen::MatrixXd principalSteps(const cv::Mat& matrix) {
-  constexpr double kNone = 1e-6;  // of a scaled axis: rounding, not variance
+  constexpr double kNone = 1e-6;  // smallest variance of a scaled axis: less is rounding
   Eigen::MatrixXd covariance(matrix.rows, matrix.rows);
   for (int i = 0; i < matrix.rows; ++i)
     for (int j = 0; j < matrix.rows; ++j) covariance(i, j) = matrix.at<double>(i, j);

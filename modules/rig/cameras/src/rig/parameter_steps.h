@@ -7,7 +7,7 @@
 
 namespace facenav::cameras {
 
-/// A column per principal axis: one standard deviation along it, a row per parameter (order: StereoRig). The
+/// Steps of one standard deviation: a column per principal axis, a row per parameter (order: StereoRig). The
 /// parameters are scaled to similar size before the axes are found. Axes without any variance (a tangential
 /// distortion held at 0) give columns of zeros. `covariance`: square, CV_64F.
 Eigen::MatrixXd principalSteps(const cv::Mat& covariance);

@@ -16,7 +16,8 @@ constexpr double kFloor_px = 0.05;     // skin is not flat, and its shine moves
 
 using Patch = Eigen::Matrix<double, kPixels, 1>;
 
-/// Bilinear samples about `at`, `step` px apart (2: coarse level, means over 2 x 2); false outside the image.
+/// Takes bilinear samples about `at`, `step` px apart (2: coarse level, means over 2 x 2); false outside the
+/// image.
 bool sample(const cv::Mat& image, const Eigen::Vector2d& at, int step, Patch& out) {
   const double left = at.x() - step * kHalf, top = at.y() - step * kHalf;
   const int x0 = int(std::floor(left)), y0 = int(std::floor(top));

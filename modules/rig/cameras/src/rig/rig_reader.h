@@ -1,5 +1,5 @@
 #pragma once
-// RigReader: strict reader of the OpenCV YAML files that hold calibrated cameras and projectors. A missing or
+// RigReader: strict reader of the OpenCV YAML files with calibrated cameras and projectors. A missing or
 // malformed key is an Error that names file and key. Private to cameras.
 
 #include <cmath>
@@ -60,7 +60,8 @@ class RigReader {
     if (!cv::checkRange(values)) fail("key '" + key + "' holds a value that is not finite");
     return values;
   }
-  /// Empty when the key is missing or does not hold a square matrix of finite numbers.
+  /// Reads an optional matrix; empty if the key is missing or does not contain a square matrix of finite
+  /// numbers.
   cv::Mat optionalSquare(const std::string& key) const {
     cv::Mat read, values;
     const cv::FileNode found = storage_[key];
@@ -82,7 +83,7 @@ class RigReader {
          wanted + " was expected");
   }
 
-  /// Of the keys R and T, not yet checked to be a rotation.
+  /// Pose from the keys R and T, not yet checked to be a rotation.
   Eigen::Matrix4d pose() const {
     const cv::Mat r = matrix("R", 3, 3), t = matrix("T");
     if (t.total() != 3) fail("key 'T' has " + std::to_string(t.total()) + " values, 3 were expected");

@@ -9,9 +9,8 @@ namespace {
 
 // Not all errors of a calibration are noise: the board is not flat, the lens is not a polynomial.
 constexpr double kInflation = 1.5;
-// Misfit of the lens model in one place of the image, as a fraction of the reprojection rms: 0.22 on OpenCV's
-// 13 chessboard pairs, each held out in turn (0.044 px beyond a plane over the board, noise removed, at 0.196
-// px rms).
+// Misfit of the lens model in one place of the image, as a fraction of the reprojection rms. A larger value
+// is the safe direction.
 constexpr double kLensShare = 0.25;
 
 StereoRig withTurn(const StereoRig& rig, const Eigen::Vector3d& turn_rad) {
@@ -33,8 +32,9 @@ RigUncertainty fromCovariance(const StereoRig& rig) {
 
 RigUncertainty uncertaintyOf(const StereoRig& rig) {
   if (!rig.covariance.empty()) return fromCovariance(rig);
-  // Typical errors after some twelve views of a board, in the images: 0.7 rms across the epipolar lines, 0.02
-  // deg of roll, 0.1 % of scale from focal lengths and yaw, and lens errors that grow towards the corners.
+  // Uses typical errors after some twelve views of a board, in the images: 0.7 rms across the epipolar lines,
+  // 0.02 deg of roll, 0.1 % of scale from focal lengths and yaw, and lens errors that grow towards the
+  // corners.
   const double scale = rig.rms_px.value_or(0.2) / 0.2, f = rig.right.k(0, 0);
   RigUncertainty uncertainty;
   uncertainty.lens_px = kLensShare * 0.2 * scale;

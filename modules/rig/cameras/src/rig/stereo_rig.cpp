@@ -78,7 +78,7 @@ StereoRig readRig(const std::filesystem::path& path) {
   rig.covariance = reader.optionalSquare("covariance");
   if (!rig.covariance.empty() &&
       rig.covariance.rows != int(14 + rig.left.distortion.total() + rig.right.distortion.total()))
-    rig.covariance.release();  // it belongs to another model
+    rig.covariance.release();  // the covariance belongs to another model
   return rig;
 }
 

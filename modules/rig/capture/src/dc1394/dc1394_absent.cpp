@@ -1,4 +1,4 @@
-// In place of libdc1394 where it is not installed.
+// Replaces the IEEE 1394 backend if libdc1394 is not installed.
 #include "facenav/capture/dc1394_driver.h"
 
 namespace facenav::capture {

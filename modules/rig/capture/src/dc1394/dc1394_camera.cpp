@@ -14,8 +14,8 @@ namespace {
 struct Dc1394Control {
   Dc1394Feature feature;
   const char* name;
-  const char* unit;  // where the camera has one
-  double per_unit;   // shown value of one of the camera's units
+  const char* unit;  // unit, if the camera has one
+  double per_unit;   // displayed value of one of the camera's units
   std::optional<double> CameraSettings::*wanted;
 };
 const Dc1394Control kDc1394Controls[] = {
@@ -88,7 +88,7 @@ void Dc1394Camera::refuseSize(const CameraSettings& settings, const std::vector<
       inWords(identity_), "it has " + (sizes.empty() ? "none in grey or YUV 4:2:2" : sizes));
 }
 
-/// Grey before YUV: half the bandwidth.
+/// Chooses the mode; grey before YUV: half the bandwidth.
 Dc1394Mode Dc1394Camera::modeFor(const CameraSettings& settings) const {
   const auto modes = device_->modes();
   const Dc1394Mode* best = nullptr;
@@ -162,7 +162,7 @@ CameraState Dc1394Camera::configure(const CameraSettings& settings) {
   return state_;
 }
 
-/// What changed since it was locked is locked once more.
+/// Locks again what changed since it was locked.
 void Dc1394Camera::confirm() {
   for (std::size_t i = 0; i < state_.controls.size(); ++i)
     if (state_.controls[i].lock == ControlState::Lock::locked) {

@@ -1,4 +1,4 @@
-// libdc1394 behind Dc1394Driver.
+// Dc1394Driver that calls libdc1394.
 
 #include <dc1394/dc1394.h>
 #include <poll.h>
@@ -197,10 +197,10 @@ class SystemDc1394Driver : public Dc1394Driver {
   }
 
  private:
-  /// Null where this computer has no such bus.
+  /// Opens the bus; null if this computer has none.
   static std::shared_ptr<dc1394_t> openBus() {
     for (const auto kind : {DC1394_LOG_ERROR, DC1394_LOG_WARNING, DC1394_LOG_DEBUG})
-      dc1394_log_register_handler(kind, nullptr, nullptr);  // errors are told by this program
+      dc1394_log_register_handler(kind, nullptr, nullptr);  // this program reports errors itself
     auto* bus = dc1394_new();
     return bus ? std::shared_ptr<dc1394_t>(bus, dc1394_free) : nullptr;
   }

@@ -1,4 +1,4 @@
-// In place of the GenICam backend where Aravis is not installed.
+// Replaces the GenICam backend if Aravis is not installed.
 #include "facenav/capture/camera_backend.h"
 
 namespace facenav::capture {

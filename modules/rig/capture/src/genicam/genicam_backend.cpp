@@ -14,7 +14,7 @@ CameraIdentity deviceIdentity(guint index) {
           textOf(arv_get_device_serial_nbr(index)), textOf(arv_get_device_address(index))};
 }
 
-/// A camera obeys one program at a time: opening it tells whether another has it.
+/// Opens a camera to find out whether another program has it: a camera obeys one program at a time.
 void tryToOpen(FoundCamera& camera) {
   try {
     openGenicamCamera(camera.identity);

@@ -18,7 +18,7 @@ constexpr double kLatestArrival_s = 1.0;
 
 void onControlLost(ArvDevice*, std::atomic<bool>* is_lost) { *is_lost = true; }
 
-/// When the buffer's first packet came, on the steady clock. Aravis notes it on the computer's calendar
+/// Arrival of the buffer's first packet, on the steady clock. Aravis records it on the computer's calendar
 /// clock.
 double arrivalOf(ArvBuffer* buffer) {
   const double waited_s =
@@ -56,7 +56,7 @@ class GenicamCamera : public Camera {
   CameraState state_;
   PictureIntake intake_;
   GObjectOwner<ArvCamera> camera_;
-  GObjectOwner<ArvStream> stream_;  // after the camera: it must be released first
+  GObjectOwner<ArvStream> stream_;  // declared after the camera: it must be released first
 };
 
 GenicamCamera::GenicamCamera(const CameraIdentity& identity)
@@ -97,7 +97,7 @@ CameraError GenicamCamera::wrongSize(const CameraSettings& settings, const std::
                      where_, remedy + "; calibrate it with a size that it has");
 }
 
-/// In the middle of the sensor: the calibration holds for this part of it only.
+/// Centres the region on the sensor, because the calibration holds only for this part of it.
 void GenicamCamera::setRegion(const CameraSettings& settings) {
   ArvCamera* camera = camera_.get();
   GenicamCall call;
@@ -160,8 +160,8 @@ void GenicamCamera::addBuffers() {
     arv_stream_push_buffer(stream_.get(), arv_buffer_new_allocate(size));
 }
 
-/// Packet sockets need root, and then listen on one network card only: plain ones behave alike for every
-/// user. Packets larger than the network passes are found out once, at the start.
+/// Uses plain sockets: packet sockets need root, and then listen on one network card only. The largest packet
+/// that the network passes is determined once, at the start.
 void GenicamCamera::prepareNetwork() {
   if (!arv_camera_is_gv_device(camera_.get())) return;
   arv_camera_gv_set_stream_options(camera_.get(), ARV_GV_STREAM_OPTION_PACKET_SOCKET_DISABLED);

@@ -12,7 +12,7 @@ using GenicamLock = ControlState::Lock;
 
 struct GenicamControl {
   const char *name, *unit;
-  double per_unit;  // camera's unit per ours: us per ms
+  double per_unit;  // camera's units per unit used here: us per ms
   gboolean (*is_there)(ArvCamera*, GError**);
   gboolean (*has_automatic)(ArvCamera*, GError**);
   void (*set_automatic)(ArvCamera*, ArvAuto, GError**);
@@ -43,7 +43,7 @@ const GenicamControl kGain{"gain",
                            arv_camera_get_gain,
                            arv_camera_get_gain_bounds};
 
-constexpr double kReadBackWithin = 0.01;  // of the wanted value: cameras round to their own steps
+constexpr double kReadBackWithin = 0.01;  // relative: cameras round to their own steps
 
 std::string genicamValue(double value, const GenicamControl& control) {
   return formatted("%g", value) + (*control.unit ? std::string(" ") + control.unit : "");
@@ -87,7 +87,7 @@ ControlState lockOne(ArvCamera* camera, const GenicamControl& control, std::opti
   return state;
 }
 
-/// Cameras of grey pictures have none.
+/// Locks the white balance; absent in cameras of grey pictures.
 ControlState lockWhiteBalance(ArvCamera* camera, std::optional<double> wanted) {
   ControlState state{"white balance", "K", wanted, std::nullopt, GenicamLock::absent, ""};
   if (wanted) return refused(state, "GenICam cameras have no colour temperature");
@@ -107,7 +107,7 @@ ControlState fixedFocus(std::optional<double> wanted) {
   return wanted ? refused(state, "the lens is focused by hand") : state;
 }
 
-/// "Software", or the first input line.
+/// Name of the trigger source: "Software", or the first input line.
 std::string triggerSource(ArvCamera* camera, Trigger trigger) {
   GenicamCall call;
   guint count = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Locks the adjustments of a GenICam camera (exposure, gain, white balance) and reads them back. Focus is the
-// lens's.
+// Locks the adjustments of a GenICam camera (exposure, gain, white balance) and reads them back. Focus is set
+// at the lens.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace facenav::capture {
 std::vector<ControlState> lockControls(ArvCamera* camera, const CameraSettings& settings);
 /// Turns the automatic adjustments on, where the camera has them.
 void freeControls(ArvCamera* camera);
-/// Free running, or waiting for the first trigger input of its kind. Throws CameraError refused.
+/// Sets free running, or the first trigger input of its kind. Throws CameraError refused.
 void setTrigger(ArvCamera* camera, Trigger trigger, const std::string& where);
 
 }  // namespace facenav::capture

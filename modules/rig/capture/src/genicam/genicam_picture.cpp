@@ -9,12 +9,12 @@ namespace {
 struct GenicamFormat {
   ArvPixelFormat code;
   const char* name;
-  int type;            // of the buffer
+  int type;            // OpenCV type of the buffer
   int to_grey;         // cv::ColorConversionCodes, -1: none
-  double scale = 1.0;  // to 8 bits
+  double scale = 1.0;  // factor to 8 bits
 };
 
-// In the order of preference. OpenCV names a Bayer pattern by its second row.
+// Known formats in the order of preference. OpenCV names a Bayer pattern by its second row.
 const std::array<GenicamFormat, 10> kGenicamFormats = {{
     {ARV_PIXEL_FORMAT_MONO_8, "Mono8", CV_8UC1, -1},
     {ARV_PIXEL_FORMAT_MONO_10, "Mono10", CV_16UC1, -1, 255.0 / 1023},

@@ -1,5 +1,5 @@
 #pragma once
-// Pixel formats of GenICam cameras -> 8-bit grey.
+// Conversion of GenICam pixel formats to 8-bit grey.
 
 #include <opencv2/core.hpp>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace facenav::capture {
 
-/// The best format that the camera offers and decodeGrey reads ("Mono8" first); empty: none. `wanted`: that
-/// one only.
+/// Best format that the camera offers and decodeGrey reads ("Mono8" first); empty: none. `wanted`: only that
+/// one.
 std::string chooseGenicamFormat(ArvCamera* camera, const std::string& wanted);
-/// Own memory; empty if the buffer is no whole picture of a known format.
+/// Decodes into memory of its own; empty if the buffer is no whole picture of a known format.
 cv::Mat decodeGrey(ArvBuffer* buffer);
 
 }  // namespace facenav::capture

@@ -1,5 +1,5 @@
 #pragma once
-// rig.json <-> NamedRig, without its calibration.
+// Conversion of rig.json to NamedRig and back, without its calibration.
 
 #include <filesystem>
 #include <string>
@@ -9,7 +9,7 @@
 namespace facenav::capture {
 
 std::string toRigJson(const NamedRig& rig);
-/// Throws Error naming file and key.
+/// Reads rig.json. Throws Error naming file and key.
 NamedRig readRigJson(const std::filesystem::path& path);
 
 }  // namespace facenav::capture

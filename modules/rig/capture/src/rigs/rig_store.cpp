@@ -64,7 +64,7 @@ NamedRig readRigFolder(const fs::path& folder) {
   return rig;
 }
 
-/// With the row times of the rig in `folder`, if it takes the same pictures.
+/// Adds the row times of the rig in `folder`, if it takes the same pictures.
 NamedRig withKnownRowTimes(NamedRig rig, const fs::path& folder) {
   if (rig.row_times || !fs::is_directory(folder)) return rig;
   try {

@@ -16,19 +16,19 @@ namespace facenav::capture {
 namespace {
 
 constexpr int kOpenWithin_ms = 5000, kReadWithin_ms = 2000;
-constexpr double kLateFor_s = 2.0;  // a backlog after a short stall is read in less
+constexpr double kLateFor_s = 2.0;  // a backlog after a short stall is read in less time
 
 bool isFile(const std::string& address) { return std::filesystem::is_regular_file(address); }
 
-/// These carry the sender's clock. In others the time stamps are made up from a nominal rate.
+/// True for streams with the sender's clock. In others the time stamps are made up from a nominal rate.
 bool carriesClock(const std::string& address) {
   static const std::array<std::string, 5> kSchemes = {"rtsp://", "rtsps://", "rtp://", "srt://", "udp://"};
   return std::any_of(kSchemes.begin(), kSchemes.end(),
                      [&](const std::string& scheme) { return address.rfind(scheme, 0) == 0; });
 }
 
-/// FFmpeg looks at five seconds of an unknown stream before it gives the first picture, and then holds
-/// pictures back.
+/// Reduces the delay: by default FFmpeg analyses five seconds of an unknown stream before the first picture,
+/// and then holds pictures back.
 void readWithoutDelay() {
   static const bool is_set =
       ::setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS",
@@ -77,7 +77,7 @@ class StreamCamera : public Camera {
   PictureIntake intake_;
   std::int64_t sequence_ = 0;
   double begun_s_ = 0.0;
-  std::optional<double> due_s_;  // of the grabbed picture, where a file sets the pace
+  std::optional<double> due_s_;  // due time of the grabbed picture, if a file sets the pace
   bool is_running_ = false, has_started_ = false;
 };
 
@@ -123,7 +123,7 @@ void StreamCamera::failAtEnd() const {
                     "check the network and the camera, then open the cameras again");
 }
 
-/// A stream that is opened anew begins with the present.
+/// Throws CameraError hung if the stream is late: a stream that is opened anew begins with the present.
 void StreamCamera::requireInTime() const {
   if (intake_.lateFor_s() > kLateFor_s)
     throw CameraError(CameraFault::hung, "the pictures of the stream come too late", identity_.address,

@@ -19,7 +19,7 @@ std::string firstLineOf(const fs::path& path) {
   return line;
 }
 
-/// Number of /dev/video<n>; -1: another device, or an entry that holds a camera's metadata.
+/// Number of /dev/video<n>; -1: another device, or an entry for a camera's metadata.
 int pictureDevice(const fs::path& entry) {
   const std::string name = entry.filename(), digits = name.substr(std::min<std::size_t>(5, name.size()));
   const bool is_video = name.rfind("video", 0) == 0 && !digits.empty() && digits.size() < 5 &&
@@ -27,7 +27,8 @@ int pictureDevice(const fs::path& entry) {
   return is_video && firstLineOf(entry / "index") == "0" ? std::stoi(digits) : -1;
 }
 
-/// The link `device` leads to the USB interface, "1-2.4:1.0"; its parent is the camera at port 1-2.4.
+/// Reads the USB port: the link `device` leads to the USB interface, "1-2.4:1.0"; its parent is the camera at
+/// port 1-2.4.
 void readUsb(const fs::path& entry, CameraIdentity& camera) {
   std::error_code ignored;
   const fs::path interface = fs::canonical(entry / "device", ignored);
@@ -46,7 +47,7 @@ bool hasOpen(const fs::path& process, const std::string& device) {
   return false;
 }
 
-/// A process that has the device open: "cheese (process 4711)"; empty: not visible to this user.
+/// Process that has the device open: "cheese (process 4711)"; empty: not visible to this user.
 std::string userOf(const std::string& device, const fs::path& proc) {
   std::error_code ignored;
   for (const auto& process : fs::directory_iterator(proc, ignored)) {
@@ -72,8 +73,8 @@ class V4l2Backend : public CameraBackend {
   V4l2Places places_;
 };
 
-/// Only the program that streams may free the buffers: asking to free them (there are none) shows who
-/// streams.
+/// Detects whether a program streams: only that program may free the buffers, so a request to free them
+/// (there are none) fails for others.
 void V4l2Backend::readUse(FoundCamera& camera) const {
   const int device = driver_->open(camera.identity.address);
   v4l2_requestbuffers none = {};

@@ -84,7 +84,8 @@ CameraState V4l2Camera::configure(const CameraSettings& settings) {
   return state_;
 }
 
-/// Two cameras on one USB controller: compressed pictures need a tenth of the bandwidth.
+/// Starts with compressed pictures, which need a tenth of the bandwidth: two cameras may share one USB
+/// controller.
 void V4l2Camera::startWithLessBandwidth(const CameraError& refusal) {
   if (refusal.fault() != CameraFault::no_bandwidth || !settings_.format.empty() || state_.format == "MJPG")
     throw refusal;

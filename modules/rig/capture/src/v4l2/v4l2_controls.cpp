@@ -16,8 +16,8 @@ struct ControlPlan {
   const char *name, *unit;
   std::uint32_t automatic, value;  // control numbers
   int manual;                      // value of `automatic` that switches it off
-  double unit_per_step;            // of `value`
-  bool matters_if_absent;          // without the control, the camera may adjust itself unseen
+  double unit_per_step;            // unit of `value`
+  bool matters_if_absent;          // true: without the control, the camera may adjust itself unnoticed
   std::optional<double> CameraSettings::*wanted;
 };
 
@@ -48,7 +48,7 @@ void setControl(V4l2Device& device, std::uint32_t id, int value) {
   v4l2_control control = {};
   control.id = id;
   control.value = value;
-  device.ask(VIDIOC_S_CTRL, &control);  // what counts is the value read back
+  device.ask(VIDIOC_S_CTRL, &control);  // the value read back is the valid one
 }
 
 std::string withUnit(double value, const char* unit) {
@@ -135,7 +135,7 @@ void freeControls(V4l2Device& device) {
     const bool is_exposure = plan.automatic == V4L2_CID_EXPOSURE_AUTO;
     setControl(device, plan.automatic, is_exposure ? int(V4L2_EXPOSURE_APERTURE_PRIORITY) : 1);
     if (is_exposure &&
-        readControl(device, plan.automatic) == plan.manual)  // some know the other automatic only
+        readControl(device, plan.automatic) == plan.manual)  // some have only the other automatic
       setControl(device, plan.automatic, V4L2_EXPOSURE_AUTO);
   }
 }

@@ -10,7 +10,7 @@ namespace {
 
 struct FaultWords {
   CameraFault fault;
-  const char *what, *remedy;  // what: null: the caller's words
+  const char *what, *remedy;  // what: null for the caller's text
 };
 
 FaultWords wordsOfError(int error) {

@@ -11,7 +11,7 @@ namespace facenav::capture {
 
 class V4l2Device {
  public:
-  /// Throws CameraError: missing, in_use, no_permission, refused (it takes no pictures).
+  /// Opens the device. Throws CameraError: missing, in_use, no_permission, refused (it takes no pictures).
   V4l2Device(std::shared_ptr<V4l2Driver> driver, const CameraIdentity& camera);
   ~V4l2Device();
   V4l2Device(const V4l2Device&) = delete;
@@ -19,7 +19,7 @@ class V4l2Device {
 
   /// The driver's answer: >= 0, or -errno.
   int ask(unsigned long request, void* argument) { return driver_->control(device_, request, argument); }
-  /// The same; throws CameraError if the driver refuses. `what`: "the camera does not start".
+  /// Sends a request; throws CameraError if the driver refuses. `what`: "the camera does not start".
   void require(unsigned long request, void* argument, const std::string& what);
   int wait(int timeout_ms) { return driver_->wait(device_, timeout_ms); }
   void* map(std::size_t length, std::size_t offset) { return driver_->map(device_, length, offset); }

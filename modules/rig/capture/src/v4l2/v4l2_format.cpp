@@ -15,12 +15,12 @@ namespace facenav::capture {
 namespace {
 
 constexpr std::uint32_t kCapture = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-// In the order of preference: without loss first.
+// Known formats in the order of preference: without loss first.
 constexpr std::array<std::uint32_t, 3> kKnownFormats = {V4L2_PIX_FMT_GREY, V4L2_PIX_FMT_YUYV,
                                                         V4L2_PIX_FMT_MJPEG};
-constexpr double kEnough = 0.95;  // of the wanted rate
+constexpr double kEnough = 0.95;  // share of the wanted rate
 constexpr std::uint32_t kMostEntries =
-    256;  // of any list: a driver that never ends its list must not hang us
+    256;  // most entries of any list: a driver that never ends its list must not hang us
 
 std::set<std::uint32_t> formatsOf(V4l2Device& device) {
   std::set<std::uint32_t> codes;
@@ -39,7 +39,7 @@ bool isInRange(const v4l2_frmsize_stepwise& range, std::uint32_t width, std::uin
          fits(height, range.min_height, range.max_height, range.step_height);
 }
 
-/// Whether a format has the size; `sizes` gathers the sizes for the message. True if the driver has no list.
+/// True if a format has the size (or if the driver has no list); `sizes` gathers the sizes for the message.
 bool hasSize(V4l2Device& device, std::uint32_t code, const CameraSettings& settings,
              std::set<std::string>& sizes) {
   const auto width = std::uint32_t(settings.width_px), height = std::uint32_t(settings.height_px);
@@ -123,7 +123,8 @@ cv::Mat decodeJpeg(const void* bytes, std::size_t size) {
   }
 }
 
-/// The decoder fills what is missing of a cut JPEG with grey. Cameras pad behind the end marker with zeros.
+/// True if the end marker exists: the decoder fills the missing part of a cut JPEG with grey. Cameras pad
+/// behind the end marker with zeros.
 bool isWholeJpeg(const void* bytes, std::size_t size) {
   const auto* byte = static_cast<const unsigned char*>(bytes);
   while (size > 2 && byte[size - 1] == 0) --size;
@@ -146,7 +147,7 @@ V4l2Format setFormat(V4l2Device& device, const CameraSettings& settings, const s
   format.fmt.pix.field = V4L2_FIELD_NONE;
   const std::uint32_t code = format.fmt.pix.pixelformat;
   device.require(VIDIOC_S_FMT, &format, "the camera does not take its picture format");
-  const v4l2_pix_format& got = format.fmt.pix;  // the driver writes what it really set
+  const v4l2_pix_format& got = format.fmt.pix;  // the driver writes its actual setting
   if (int(got.width) != settings.width_px || int(got.height) != settings.height_px || got.pixelformat != code)
     throw wrongSize(settings, camera,
                     "it gives " + std::to_string(got.width) + " x " + std::to_string(got.height) +

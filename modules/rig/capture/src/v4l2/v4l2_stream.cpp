@@ -59,7 +59,8 @@ void V4l2Stream::mapBuffers(std::uint32_t count) {
   }
 }
 
-/// The memory must be unmapped before the driver may free it; then another program can use the camera.
+/// Releases the buffers: memory must be unmapped before the driver may free it; then another program can use
+/// the camera.
 void V4l2Stream::release() {
   for (const auto& [memory, length] : buffers_) device_.unmap(memory, length);
   buffers_.clear();

@@ -27,7 +27,7 @@ class V4l2Stream {
   V4l2Stream(const V4l2Stream&) = delete;
   V4l2Stream& operator=(const V4l2Stream&) = delete;
 
-  /// The oldest filled buffer; nothing within the time. Throws CameraError unplugged.
+  /// Takes the oldest filled buffer; nullopt if none comes within the time. Throws CameraError unplugged.
   std::optional<V4l2Buffer> take(double timeout_s);
   void giveBack(const V4l2Buffer& buffer);
 

@@ -13,7 +13,7 @@ namespace {
 
 class SystemV4l2Driver : public V4l2Driver {
  public:
-  // Non-blocking: a hung camera must not hold the thread in DQBUF.
+  // Non-blocking, because a hung camera must not block the thread in DQBUF.
   int open(const std::string& path) override {
     return orError(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// DamageError: a file that is DICOM by its first bytes but cannot be read as such. The fault is kept apart
+// DamageError: a file that is DICOM by its first bytes but cannot be read as such. The fault is stored apart
 // from the message's file name and remedy, so that a list of series can name it.
 
 #include <filesystem>

@@ -28,11 +28,11 @@ struct FileLayout {
   bool is_deflated = false;       // offsets refer to the inflated bytes
 };
 
-/// True where the first bytes may be DICOM: preamble, or a plausible first element without one.
+/// True if the first bytes may be DICOM: preamble, or a plausible first element without one.
 bool looksLikeDicom(FilePrefix& file);
 
-/// Throws Error naming the file when an element reaches past the file's end, nesting is too deep, a VR does
-/// not exist, .. A deflated data set is inflated into `file` first.
+/// Finds the offsets. Throws Error naming the file when an element reaches past the file's end, nesting is
+/// too deep, a VR does not exist, .. A deflated data set is inflated into `file` first.
 FileLayout walkHeader(FilePrefix& file);
 
 /// Fragments of encapsulated pixel data; the first is the Basic Offset Table. Reads the whole pixel data.

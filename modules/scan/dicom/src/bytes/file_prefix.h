@@ -24,7 +24,7 @@ class FilePrefix {
   const std::string& bytes() const { return bytes_; }
   /// Copies `length` bytes from `offset` to `to`, without keeping them; false when the file is shorter.
   bool copy(std::uint64_t offset, std::uint64_t length, char* to) const;
-  /// From now on `content` replaces the file.
+  /// Replaces the file by `content` from then on.
   void replace(std::string content);
 
  private:

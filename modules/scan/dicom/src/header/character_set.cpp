@@ -64,7 +64,7 @@ std::string withoutDesignations(std::string_view raw) {
   return text;
 }
 
-/// Empty where `text` is not valid in `encoding`.
+/// Converts `text` to UTF-8; nullopt if it is not valid in `encoding`.
 std::optional<std::string> convert(std::string text, const char* encoding) {
   const iconv_t converter = ::iconv_open("UTF-8", encoding);
   if (converter == iconv_t(-1)) return std::nullopt;
@@ -98,7 +98,7 @@ std::string fromLatin1(std::string_view raw) {
 std::string toUtf8(std::string_view raw, std::string_view character_set) {
   const bool has_escapes = raw.find(kEscape) != std::string_view::npos;
   if (!has_escapes && isUtf8(raw))
-    return std::string(raw);  // also where the file states Latin-1: a common error
+    return std::string(raw);  // also if the file declares Latin-1: a common error
   if (const char* encoding = has_escapes ? withEscapes(character_set) : withoutEscapes(character_set))
     if (auto text = convert(has_escapes ? withoutDesignations(raw) : std::string(raw), encoding))
       return *text;

@@ -6,9 +6,9 @@
 
 namespace facenav::dicom {
 
-/// `character_set` as in the file, its values separated by backslashes. Known are single-byte sets, GB18030,
-/// GBK and UTF-8, and with escape sequences Japanese, Korean and GB2312. Unknown or invalid text counts as
-/// UTF-8 if it is valid UTF-8, otherwise as Latin-1.
+/// Converts text to UTF-8. `character_set` as in the file, its values separated by backslashes. Known are
+/// single-byte sets, GB18030, GBK and UTF-8, and with escape sequences Japanese, Korean and GB2312. Unknown
+/// or invalid text counts as UTF-8 if it is valid UTF-8, otherwise as Latin-1.
 std::string toUtf8(std::string_view raw, std::string_view character_set);
 
 }  // namespace facenav::dicom

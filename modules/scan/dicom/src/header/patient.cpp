@@ -27,7 +27,7 @@ std::string withoutBlanksAround(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// The systems of one hospital differ in capitals and trailing separators.
+/// Name without differences of capitals and trailing separators, which vary between systems of one hospital.
 std::string comparableName(const std::string& name) {
   std::string text = name;
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {

@@ -1,6 +1,6 @@
 #pragma once
-// Which files are of one patient: those that agree in Patient ID, name (ignoring capitals and separators) and
-// birth date. Any difference makes two patients: an unneeded question costs a click, the wrong head costs a
+// Groups files by patient: those that agree in Patient ID, name (ignoring capitals and separators) and birth
+// date. Any difference makes two patients: an unneeded question costs a click, the wrong head costs a
 // treatment.
 
 #include <vector>

@@ -11,10 +11,11 @@
 
 namespace facenav::dicom {
 
-/// Trimmed, without control characters, converted from the data set's character set. Empty if absent.
+/// Text of an element: trimmed, without control characters, converted from the data set's character set.
+/// Empty if absent.
 std::string text(const gdcm::DataSet& data, gdcm::Tag tag);
-/// The first non-empty group of a PN: alphabetic, then ideographic, then phonetic (PS3.5 6.2.1). Components
-/// are separated by ^.
+/// Name of a PN: its first non-empty group: alphabetic, then ideographic, then phonetic (PS3.5 6.2.1).
+/// Components are separated by ^.
 std::string personName(const gdcm::DataSet& data, gdcm::Tag tag);
 /// All numbers of a DS, IS, US, SS, UL, SL, FL or FD element. Empty for malformed text or a non-finite
 /// number.
@@ -24,7 +25,7 @@ std::optional<double> number(const gdcm::DataSet& data, gdcm::Tag tag);
 int integer(const gdcm::DataSet& data, gdcm::Tag tag, int otherwise);
 /// The data sets of a sequence's items; empty if absent. Copies share their values.
 std::vector<gdcm::DataSet> items(const gdcm::DataSet& data, gdcm::Tag tag);
-/// The first of them.
+/// First item of a sequence; nullopt if absent.
 std::optional<gdcm::DataSet> item(const gdcm::DataSet& data, gdcm::Tag tag);
 
 }  // namespace facenav::dicom

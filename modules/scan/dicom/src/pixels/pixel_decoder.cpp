@@ -71,8 +71,8 @@ T withinStoredBits(T value, const VoxelFormat& format) {
   return T(bits);
 }
 
-/// Some vendors state wrong depths. Therefore bits above the stored ones are removed only where they are
-/// known to hold something else, and at 12 bits, where dcm2niix removes them too.
+/// Some files have wrong depths. Therefore bits above the stored ones are removed only where they are known
+/// to contain something else, and at 12 bits, where dcm2niix removes them too.
 bool needsMask(const VoxelFormat& format) {
   return format.has_embedded_overlay || format.high_bit + 1 != format.bits_stored || format.bits_stored == 12;
 }
@@ -80,8 +80,8 @@ bool needsMask(const VoxelFormat& format) {
 template <class T>
 void rescale(std::string_view bytes, bool is_big_endian, const VoxelFormat& format, const ImagePlace& place,
              float* out) {
-  // NIfTI keeps slope and intercept in 32 bits. The same here, so that values equal dcm2niix's to the last
-  // bit.
+  // NIfTI keeps slope and intercept in 32 bits; so does this code, so that values equal dcm2niix's to the
+  // last bit.
   const double slope = float(place.slope), intercept = float(place.intercept);
   const std::size_t count = bytes.size() / sizeof(T);
   const bool is_masked = std::is_integral_v<T> && needsMask(format);
@@ -96,7 +96,7 @@ void rescale(std::string_view bytes, bool is_big_endian, const VoxelFormat& form
   }
   for (std::size_t i = 0; i < count; ++i) {
     T value;
-    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));  // the common case: vectorised
+    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));  // common case: vectorised
     if (is_big_endian || is_masked) {
       value = load<T>(bytes.data() + i * sizeof(T), is_big_endian);
       if constexpr (std::is_integral_v<T>)

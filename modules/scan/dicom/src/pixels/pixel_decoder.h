@@ -9,24 +9,24 @@
 
 namespace facenav::dicom {
 
-/// Where GDCM's codecs run: in one child process per image (isolated_codec.h), or in this process if it is
-/// already such a child.
+/// Place of GDCM's codecs: one child process per image (isolated_codec.h), or this process if it is already
+/// such a child.
 enum class Isolation { each_image, none };
 
 class PixelDecoder {
  public:
   /// Throws Error naming the file: pixels missing, cut off, colour, unsupported, ..
   PixelDecoder(FilePrefix& file, const SliceHeader& header, Isolation isolation = Isolation::each_image);
-  /// rows x columns values of frame `frame` (from 0): slope * stored + intercept.
+  /// Decodes image `frame` (from 0): rows x columns values, slope * stored + intercept.
   std::vector<float> image(int frame) const;
-  /// The same into `out`, which holds rows x columns values. `scratch` keeps the stored bytes, so that one
-  /// buffer serves all images of a series.
+  /// Decodes into `out`, which has room for rows x columns values. `scratch` keeps the stored bytes, so that
+  /// one buffer serves all images of a series.
   void decode(int frame, float* out, std::string& scratch) const;
 
  private:
   struct Raw {
     std::string_view bytes;
-    int bits = 16;  // of one voxel in `bytes`
+    int bits = 16;  // bits of one voxel in `bytes`
     bool is_big_endian = false;
   };
   Raw raw(int frame, std::string& scratch) const;
@@ -40,11 +40,11 @@ class PixelDecoder {
   std::vector<ByteRange> fragments_;
 };
 
-/// Why the voxels of this file cannot be read, as text, from its header alone; empty when they can.
+/// Reason, from the header alone, why the voxels of this file cannot be read; empty if they can.
 std::string voxelProblem(const SliceHeader& header);
-/// The voxels are compressed in a form that only GDCM's codecs read.
+/// True if the voxels are compressed in a form that only GDCM's codecs read.
 bool usesForeignCodec(const SliceHeader& header);
-/// The frame of `stream` unpacked into little-endian voxels of `bytes_per_voxel`; empty when damaged.
+/// Unpacks the frame of `stream` into little-endian voxels of `bytes_per_voxel`; empty if it is damaged.
 std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel);
 
 }  // namespace facenav::dicom

@@ -8,7 +8,7 @@
 namespace facenav::dicom {
 namespace {
 
-/// The two files are copies of one another.
+/// True if the two files are copies of one another.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
   constexpr std::uint64_t kChunk = 1 << 20;
   const FilePrefix one(a), other(b);

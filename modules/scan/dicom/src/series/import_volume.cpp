@@ -48,14 +48,14 @@ const SeriesInfo& chooseById(const std::vector<SeriesInfo>& series, const std::s
   throw Error("holds no series '" + id + "'", input.string(), "'facenav series' lists them");
 }
 
-/// The images do not say which of several patients is meant.
+/// Throws Error if the images do not show which of several patients is meant.
 void requireOnePatient(const std::vector<SeriesInfo>& series, const fs::path& input) {
   if (const int count = patientCount(series); count > 1)
     throw Error("holds images of " + std::to_string(count) + " patients", input.string(),
                 "choose one with --series ('facenav series --patients' shows the patients)");
 }
 
-/// Likewise for several readings of the same slices.
+/// Throws Error if the same slices have several readings.
 void requireOneReading(const std::vector<SeriesInfo>& series, const fs::path& input) {
   const int count = readingCount(series);
   if (count == 0) return;
@@ -89,7 +89,7 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
   return only;
 }
 
-/// A single slice means the series of its folder.
+/// Series of the file's folder: a single slice means its whole series.
 std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor) {
   auto alone = scanFiles({file}, file.string(), monitor);
   if (alone[0].is_loadable || alone[0].problem_kind != SeriesProblem::single_slice ||
@@ -97,7 +97,7 @@ std::vector<SeriesInfo> seriesAround(const fs::path& file, TaskMonitor& monitor)
     return alone;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   auto around = scanFiles(filesUnder(folder, false), folder.string(), monitor);
-  // Only of the file's own patient: another patient's images may carry the same UID.
+  // Keeps only the file's own patient: another patient's images may carry the same UID.
   const Patient whose = patientOf(alone[0]);
   const auto is_file = [&](const fs::path& other) { return other.filename() == file.filename(); };
   const auto holds = [&](const SeriesInfo& s) {

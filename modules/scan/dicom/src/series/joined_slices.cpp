@@ -7,7 +7,7 @@
 namespace facenav::dicom {
 namespace {
 
-/// "start, a and b", or "a, b or c" without a start.
+/// Joins traits to a list: "start, a and b", or "a, b or c" without a start.
 std::string listed(const std::string& start, const std::vector<SliceTrait>& traits, const char* last_joint) {
   std::string words = start;
   for (std::size_t t = 0; t < traits.size(); ++t)

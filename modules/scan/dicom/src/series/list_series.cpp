@@ -21,7 +21,7 @@ struct DamagedFile {
   std::string problem, start;  // `start`: first bytes, where its Series UID may still be readable
 };
 
-/// By its meta header. A DICOMDIR lists files that are found anyway, so it is skipped, damaged or not.
+/// Tests the meta header. A DICOMDIR lists files that are found anyway, so it is skipped, damaged or not.
 bool isDicomDir(FilePrefix& file) {
   constexpr std::uint64_t kPreamble = 132, kMetaHeader = 512;
   const std::string& bytes = file.bytes();
@@ -96,7 +96,7 @@ void recommend(std::vector<SeriesInfo>& series) {
     return a.series_number < b.series_number;
   });
   if (patientCount(series) > 1) return;  // only a person knows whose head is meant
-  if (series.empty() || isOneOfSeveralReadings(series.front())) return;  // likewise
+  if (series.empty() || isOneOfSeveralReadings(series.front())) return;  // a person must choose
   if (navigationScore(series.front()) > 0) series.front().is_recommended = true;
 }
 

@@ -13,7 +13,7 @@ namespace facenav::dicom {
 namespace {
 
 constexpr std::size_t kMostParts = 8;  // more stacks at one place form a time series
-constexpr double kSameGap = 0.05;      // share of the gap stated by the files
+constexpr double kSameGap = 0.05;      // tolerance, as a share of the gap in the files
 
 /// Attribute value of an image, which may identify its stack: a number or a word.
 using Mark = std::pair<long, std::string>;
@@ -57,7 +57,7 @@ class Reader {
                        [&](const auto& pair) { return isSameImage(headers_, pair.first, pair.second); });
   }
 
-  /// Spacing Between Slices if the files state it, otherwise Slice Thickness.
+  /// Compares the gap with Spacing Between Slices if the files have it, otherwise with Slice Thickness.
   bool isAsDenseAsStated() const {
     const SliceHeader& header = headerOf(stack_.order[0]);
     const double stated_mm = header.slice_gap_mm > 0 ? header.slice_gap_mm : header.slice_thickness_mm;
@@ -112,8 +112,8 @@ class Reader {
     return partition;
   }
 
-  /// Rank of each image among those with the same `shared` value, in the order of `order`. Empty where two
-  /// images are equal in both, or where the groups differ in size.
+  /// Rank of each image among those with the same `shared` value, in the order of `order`. Empty if two
+  /// images are equal in both, or if the groups differ in size.
   template <class Shared, class Order>
   Partition byRank(const std::string& name, Shared shared, Order order) const {
     std::map<long, std::map<long, ImageRef>> sharing;
@@ -139,7 +139,7 @@ class Reader {
     return overlaps(partition);
   }
 
-  /// Slabs one after the other are one volume acquired in steps, not two volumes.
+  /// True if the parts overlap: slabs one after the other are one volume acquired in steps, not two volumes.
   bool overlaps(const Partition& partition) const {
     std::vector<std::pair<long, long>> ranges;
     for (const Part& part : partition) {

@@ -108,7 +108,7 @@ class Grouper {
     }
   }
 
-  /// Whether `word` is one of the values of Image Type.
+  /// True if `word` is one of the values of Image Type.
   static bool has(const std::string& kind, const char* word) {
     return ("\\" + kind + "\\").find(std::string("\\") + word + "\\") != std::string::npos;
   }
@@ -143,7 +143,7 @@ std::vector<SeriesGroup> groupImages(const std::vector<SliceHeader>& headers) {
   std::vector<int> join_of(headers.size(), -1);
   for (std::size_t j = 0; j < joins.size(); ++j)
     for (const int h : joins[j].headers) join_of[std::size_t(h)] = int(j);
-  // By UID, patient and join.
+  // Images by UID, patient and join.
   std::map<std::tuple<std::string, std::optional<int>, int>, std::vector<ImageRef>> by_uid;
   for (std::size_t h = 0; h < headers.size(); ++h) {
     const int join = join_of[h];

@@ -15,7 +15,7 @@ struct SeriesGroup {
   std::string part;                // distinguishes it from other groups of its UID; empty for the only one
   bool is_magnitude_part = false;  // `part` is magnitude
   bool is_scattered = false;       // single images in different directions: a localizer, projections
-  std::optional<JoinedSlices> joined = {};  // its slices carry different UIDs
+  std::optional<JoinedSlices> joined = {};  // slices with different UIDs that were joined
 };
 
 /// Groups of one UID are neighbours in the result. A UID shared by two patients (copied or badly

@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
 std::vector<SeriesInfo> scanFiles(const std::vector<std::filesystem::path>& files, const std::string& where,
                                   TaskMonitor& monitor);
 
-/// Whether the file is a DICOMDIR, whatever its name. False if it cannot be read.
+/// True if the file is a DICOMDIR, whatever its name. False if it cannot be read.
 bool isDicomDir(const std::filesystem::path& path);
 
 /// Reads the header of one file; throws Error naming it.

@@ -23,7 +23,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Objects that are not images of a volume, by SOP class (PS3.4 B.5) or modality.
+/// Problem of objects that are not images of a volume, by SOP class (PS3.4 B.5) or modality.
 std::string objectProblem(const SliceHeader& header) {
   const std::string root = "1.2.840.10008.5.1.4.1.1.";
   const std::string kind =
@@ -107,7 +107,8 @@ void collectFiles(SeriesInfo& info, const std::vector<SliceHeader>& headers,
   if (is_whole) info.frames.clear();
 }
 
-/// The fault; or "localizer" for images in several directions, or a single one, whose description says so.
+/// Returns the fault; or "localizer" for images in several directions, or a single one, with that
+/// description.
 Problem stackProblem(const StackFault& fault, const SeriesInfo& info, const SeriesGroup& group) {
   const std::string words = lower(info.description);
   for (const char* word : {"localizer", "localiser", "scout", "survey", "pilot", "loc"})

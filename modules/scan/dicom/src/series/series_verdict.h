@@ -7,13 +7,13 @@
 
 namespace facenav::dicom {
 
-/// The entry of one group. Reads pixels only to tell duplicates from different images at one place.
+/// Describes one group. Reads pixels only to distinguish duplicates from different images at one place.
 SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGroup& group);
 
 /// Score as the navigation T1; 0 or less: unsuitable.
 double navigationScore(const SeriesInfo& info);
 
-/// "T1", "T2", "FLAIR", .. from description and timing; empty: unknown.
+/// Contrast from description and timing: "T1", "T2", "FLAIR", ..; empty: unknown.
 std::string contrastOf(const SliceHeader& header, double echo_time_ms);
 
 }  // namespace facenav::dicom

@@ -12,12 +12,12 @@ namespace facenav::dicom {
 namespace {
 
 constexpr double kSamePlace_mm = 0.01;
-constexpr double kSpacingTolerance = 0.02;  // of the spacing; scanners write positions with 2 to 7 decimals
+constexpr double kSpacingTolerance = 0.02;  // relative; scanners write positions with 2 to 7 decimals
 constexpr double kSpacingTolerance_mm = 0.005;
 constexpr double kLargestShear_rad = 0.1 * kRadPerDeg;
 constexpr double kLargestSideStep_mm = 0.1;
 constexpr double kFarOffPlace_mm = 0.05;  // least distance of a slice from its place that counts as an error
-constexpr double kLargestDrift = 0.1;     // of the spacing: distance of a slice from the even grid
+constexpr double kLargestDrift = 0.1;     // share of the spacing: distance of a slice from the even grid
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
@@ -175,7 +175,7 @@ class Stacker {
 
   /// The step that dcm2niix takes for even slices: the gap between the two slices acquired first, in 32 bits,
   /// along the normal. It differs from the mean gap by micrometres, and puts voxels where dcm2niix puts them.
-  /// Where rounded positions would make this misplace a slice, the mean gap is used.
+  /// If rounded positions would make this misplace a slice, the mean gap is used.
   std::string chooseStep() {
     const auto number = [&](const Placed& slice) { return headers_[slice.image.header].instance_number; };
     const bool is_backwards = number(slices_.front()) > number(slices_.back());

@@ -26,7 +26,7 @@ struct StackFault {
 };
 
 struct SliceStack {
-  std::vector<ImageRef> order;  // along the normal; of images at one place the first
+  std::vector<ImageRef> order;  // images along the normal; of several at one place, the first
   std::vector<std::pair<ImageRef, ImageRef>> coincident;  // further images at the place of one in `order`
   volume::VoxelGrid grid;                                 // RAS mm; valid only without a fault
   std::optional<StackFault> fault;
@@ -36,7 +36,7 @@ struct SliceStack {
 SliceStack stackSlices(const std::vector<SliceHeader>& headers, const std::vector<ImageRef>& images);
 
 const ImagePlace& placeOf(const std::vector<SliceHeader>& headers, ImageRef image);
-/// Same directions within about 0.06 degrees.
+/// True for the same directions within about 0.06 degrees.
 bool isSameOrientation(const ImagePlace& a, const ImagePlace& b);
 
 }  // namespace facenav::dicom

@@ -77,7 +77,7 @@ std::optional<Thumbnail> makeThumbnail(const SeriesInfo& series, int side_px) {
   try {
     return draw(readMiddleImage(series), side_px);
   } catch (const Error&) {
-    return std::nullopt;  // the list states the series' problem
+    return std::nullopt;  // the list shows the series' problem
   }
 }
 

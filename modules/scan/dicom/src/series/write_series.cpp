@@ -21,7 +21,7 @@ using gdcm::VR;
 
 constexpr const char* kMrImageStorage = "1.2.840.10008.5.1.4.1.1.4";
 
-/// FNV-1a. The UIDs are derived from it, so that equal volume and tags give equal files.
+/// Hash by FNV-1a. The UIDs are derived from it, so that equal volume and tags give equal files.
 class Hash {
  public:
   Hash& add(const void* bytes, std::size_t count) {
@@ -39,7 +39,7 @@ class Hash {
   std::uint64_t state_ = 14695981039346656037ull;
 };
 
-/// A decimal string of at most 16 characters (PS3.5 6.2), with the highest possible precision.
+/// Decimal string of at most 16 characters (PS3.5 6.2), with the highest possible precision.
 std::string decimal(double value) {
   if (std::abs(value) < 1e-12) value = 0;
   std::string text;

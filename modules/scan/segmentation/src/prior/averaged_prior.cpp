@@ -15,13 +15,13 @@ namespace {
 using volume::Volume;
 using volume::VoxelGrid;
 
-constexpr float kMostValue = 1.2f;  // of a window's values 0 (black) to 1 (white)
+constexpr float kMostValue = 1.2f;  // largest window value; 0 is black, 1 white
 constexpr float kAir = 0.06f;
 constexpr float kBrighter = 0.6f, kDarker = 1.7f;  // exponents
-constexpr double kZoom = 0.9;                      // the head is seen this much finer
+constexpr double kZoom = 0.9;  // voxel size relative to the network's: the head is seen this much finer
 constexpr double kTurn_deg = 12;
 constexpr double kShift_mm = 1.8;  // half a voxel of the finer window
-constexpr int kFirstViews = 4;     // of findBrainPrior
+constexpr int kFirstViews = 4;     // number of views in findBrainPrior
 constexpr int kPerVoxel = 4;       // working voxels along a window's voxel
 
 struct View {

@@ -7,11 +7,11 @@
 
 namespace facenav::segmentation {
 
-/// `prior` (of four views) with its brain's shares averaged over eight more views of `working`. Takes about
-/// a second on two cores. The shares of fluid and air stay.
+/// Returns `prior` (of four views) with its brain's shares averaged over eight more views of `working`. Takes
+/// about a second on two cores. The shares of fluid and air do not change.
 BrainPrior averagedPrior(const PriorNetwork& network, const volume::Volume& working, BrainPrior prior);
 
-/// A window's values under another curve. The inverse leaves air dark.
+/// Curve that changes a window's values. The inverse leaves air dark.
 enum class IntensityCurve { brighter, darker, inverted };
 volume::Volume withCurve(volume::Volume window, IntensityCurve curve);
 

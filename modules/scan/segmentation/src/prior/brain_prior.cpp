@@ -20,7 +20,7 @@ constexpr int kMoves = 3;
 constexpr double kSettled_mm = 6;
 constexpr double kLeastBrain_ml = 250;
 constexpr double kBorder_mm = 16;
-constexpr double kLeastShape = 0.1;  // of the variance left in voxels of 4 mm; of noise alone 0.02 is left
+constexpr double kLeastShape = 0.1;  // share of the variance left in voxels of 4 mm; noise alone leaves 0.02
 
 /// Middles of windows along one axis, voxels.
 std::vector<double> middlesAlong(int size, int window) {
@@ -49,7 +49,8 @@ Mask maskOf(const Volume& probability) {
   return volume::largestPart(mask);
 }
 
-/// Of the voxels further than `margin_mm` from the grid's border: the air padded to a scan is no shape.
+/// Variance of the voxels further than `margin_mm` from the grid's border, so that air padded to a scan does
+/// not count.
 double varianceWithin(const Volume& volume, double margin_mm) {
   const int margin = int(std::lround(margin_mm / volume.grid.spacing_mm().mean()));
   const auto& n = volume.grid.size;
@@ -63,7 +64,7 @@ double varianceWithin(const Volume& volume, double margin_mm) {
   return count > 0 ? squares / count - sum / count * sum / count : 0;
 }
 
-/// The middle of the brain, or nothing.
+/// The middle of the brain; nullopt if there is none.
 std::optional<Point<Mri>> placeOf(const PriorNetwork& network, const Volume& coarse) {
   Volume best;
   double most_ml = 0;
@@ -84,7 +85,7 @@ std::optional<Point<Mri>> placeOf(const PriorNetwork& network, const Volume& coa
   return std::nullopt;
 }
 
-/// Left and right exchanged; the grid stays.
+/// Exchanges left and right; the grid stays.
 std::vector<float> mirrored(const std::vector<float>& voxels, int row) {
   std::vector<float> out(voxels);
   for (auto from = out.begin(); from != out.end(); from += row) std::reverse(from, from + row);
@@ -112,12 +113,12 @@ volume::Mask BrainPrior::mask() const { return volume::fillHoles(maskOf(brain));
 
 std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const Volume& working) {
   const Volume half = halved(working), coarse = halved(half);
-  // The network was never shown a scan without a head: in plain noise it sees one.
+  // The network was never trained on a scan without a head, and sees a brain in plain noise.
   if (!(varianceWithin(coarse, kBorder_mm) > kLeastShape * varianceWithin(working, kBorder_mm)))
     return std::nullopt;
   const auto centre = placeOf(network, coarse);
   if (!centre) return std::nullopt;
-  // Twice, half a voxel apart: where the voxels of 4 mm lie must not show in the outline.
+  // Two windows, half a voxel apart, so that the outline does not depend on where the voxels of 4 mm lie.
   const Volume first = headWindow(coarse, *centre), second = headWindow(halved(half, 1), *centre);
   BrainPrior prior;
   prior.brain.grid = first.grid;

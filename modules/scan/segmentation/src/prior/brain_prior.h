@@ -1,7 +1,7 @@
 #pragma once
-// The learned brain prior of a scan of any contrast: how probable brain (tissue with closed sulci) is at each
-// place. The network sees a window of 192 x 224 x 192 mm. Windows side by side cover the scan; the one that
-// holds most brain is moved until the brain is in its middle, whatever neck, shoulders or air the scan holds.
+// The learned brain prior of a scan of any contrast: the probability of brain (tissue with closed sulci) at
+// each place. The network sees a window of 192 x 224 x 192 mm. Windows side by side cover the scan; the one
+// with most brain is moved until the brain is in its middle, whatever neck, shoulders or air the scan holds.
 
 #include <optional>
 
@@ -10,19 +10,20 @@
 namespace facenav::segmentation {
 
 struct BrainPrior {
-  // 0..1, RAS grid of 2 mm, the last window's extent. Air: also pads, earphones and haze.
+  // Shares 0..1 on a RAS grid of 2 mm with the extent of the last window. Air: also pads, earphones and haze.
   volume::Volume brain, fluid, air;
-  volume::Mask mask() const;  // 0.5 and more, in one piece, without holes
+  volume::Mask mask() const;  // Voxels of 0.5 and more, in one piece, without holes.
 };
 
-/// `working`: RAS, voxels of 1 mm, air about 0. Nothing where the network sees less brain than an infant's.
+/// Finds the brain. `working`: RAS, voxels of 1 mm, air about 0. nullopt if the network sees less brain than
+/// an infant's.
 std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const volume::Volume& working);
 
-/// Data/brain_prior/weights.fnbp, read once in a process; null where the file is missing or damaged.
+/// Data/brain_prior/weights.fnbp, read once in a process; null if the file is missing or damaged.
 /// FACENAV_DATA names another Data folder.
 struct InstalledPrior {
   std::optional<PriorNetwork> network;
-  std::string fault;  // why there is none
+  std::string fault;  // reason why there is no prior
 };
 const InstalledPrior& installedPrior();
 

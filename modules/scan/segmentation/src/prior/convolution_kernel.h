@@ -14,7 +14,7 @@ struct Task {
   float* out;                       // first row; `outputs` values a row, overwritten
   const float* weights;             // [outputs / kBlock][taps][inputs][kBlock]
   int inputs, outputs, taps;        // taps <= kMostTaps
-  std::ptrdiff_t shift[kMostTaps];  // of each tap, in rows
+  std::ptrdiff_t shift[kMostTaps];  // offset of each tap, in rows
   std::ptrdiff_t rows;              // one after the other in memory
 };
 
@@ -24,7 +24,7 @@ struct Kernel {
 
 Kernel baseKernel();
 Kernel avx2Kernel();
-/// The fastest that this processor runs.
+/// The fastest kernel that this processor runs.
 const Kernel& kernel();
 
 }  // namespace facenav::segmentation::convolution

@@ -8,8 +8,8 @@
 namespace facenav::segmentation {
 namespace {
 
-constexpr double kBlack = 0.02, kWhite = 0.98;        // percentiles, of the window
-constexpr float kLeastValue = -0.2f, kMostValue = 2;  // synthesis.py
+constexpr double kBlack = 0.02, kWhite = 0.98;        // percentiles of the window
+constexpr float kLeastValue = -0.2f, kMostValue = 2;  // as in synthesis.py
 constexpr float kTiny = 1e-6f;
 
 float valueAtShare(const std::vector<float>& sorted, double share) {

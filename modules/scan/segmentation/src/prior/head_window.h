@@ -8,8 +8,8 @@
 
 namespace facenav::segmentation {
 
-/// `coarse`: RAS grid of voxels of 4 mm; the window takes its voxels as they are, the one that holds `centre`
-/// in its middle. 0 beyond the scan.
+/// Cuts out the window whose middle voxel contains `centre`. `coarse`: RAS grid of voxels of 4 mm; the window
+/// takes its voxels unchanged. 0 beyond the scan.
 volume::Volume headWindow(const volume::Volume& coarse, const Point<Mri>& centre);
 
 }  // namespace facenav::segmentation

@@ -1,5 +1,5 @@
 #pragma once
-// Histograms of a scan's values on a lattice of places: what intensities one class of tissue has near each
+// Histograms of a scan's values on a lattice of places: the intensities of one class of tissue near each
 // place.
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace facenav::segmentation {
 constexpr int kHistogramBins = 32;
 using Histogram = std::array<float, kHistogramBins>;
 
-/// 1-2-1 over neighbouring bins.
+/// Smooths neighbouring bins by 1-2-1.
 inline Histogram smoothedBins(const Histogram& h) {
   Histogram out;
   for (int b = 0; b < kHistogramBins; ++b)
@@ -43,7 +43,7 @@ class HistogramLattice {
   Histogram& operator[](std::size_t node) { return nodes_[node]; }
   const Histogram& operator[](std::size_t node) const { return nodes_[node]; }
   std::size_t count() const { return nodes_.size(); }
-  /// 1-2-1 along each axis.
+  /// Smooths by 1-2-1 along each axis.
   void smooth() {
     const std::array<std::size_t, 3> stride{1, std::size_t(size_[0]), std::size_t(size_[0]) * size_[1]};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ struct HistogramBins {
   int of(float value) const { return std::clamp(int((value - low) * per_value), 0, kHistogramBins - 1); }
 };
 
-/// From the dark to the bright end of the values nearer to the outline than `reach_mm`.
+/// Bins from the dark to the bright end of the values nearer to the outline than `reach_mm`.
 inline HistogramBins binsOf(const volume::Volume& image, const std::vector<float>& depth_mm, float reach_mm) {
   constexpr double kDark = 0.01, kBright = 0.99;  // shares of the values
   std::vector<float> values;

@@ -14,11 +14,11 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-constexpr float kPseudoCount = 4;  // voxels a bin on either side, against chance
+constexpr float kPseudoCount = 4;  // pseudo-count of voxels per bin, against chance
 constexpr float kMostEvidence = 3;
-constexpr float kSure_mm = 0.5f;  // nearer to the outline no voxel is a sample of either side
+constexpr float kSure_mm = 0.5f;  // voxels nearer to the outline than this are samples of neither side
 
-/// Log ratio of the two sides, in the place of the first.
+/// Replaces `inside` by the log ratio of the two sides.
 void compare(HistogramLattice& inside, const HistogramLattice& outside) {
   for (std::size_t n = 0; n < inside.count(); ++n) {
     const Histogram in = smoothedBins(inside[n]), out = smoothedBins(outside[n]);

@@ -1,7 +1,7 @@
 #pragma once
-// What the scan's intensities say about inside and outside of an outline, place by place: histograms of both
-// sides within some millimetres of the outline, on a lattice; the logarithm of their ratio at each voxel's
-// value. It needs no contrast of a certain kind and no even shading.
+// Likelihood of inside and outside of an outline from the scan's intensities, place by place: histograms of
+// both sides within some millimetres of the outline, on a lattice; the logarithm of their ratio at each
+// voxel's value. Works with any contrast and uneven shading.
 
 #include "facenav/segmentation/prior_use.h"
 #include "facenav/volume/volume.h"

@@ -12,21 +12,21 @@ namespace facenav::segmentation {
 struct Features {
   std::array<int, 3> size{};
   int channels = 0;
-  std::vector<float> values;  // row by row, z fastest
+  std::vector<float> values;  // values row by row, z fastest
 
-  /// All zero.
+  /// Creates features that are all zero.
   Features(std::array<int, 3> size_, int channels_)
       : size(size_),
         channels(channels_),
         values(std::size_t(size_[0] + 2) * std::size_t(size_[1] + 2) * std::size_t(size_[2] + 2) *
                std::size_t(channels_)) {}
-  /// Of the voxel; -1 and size are the rim.
+  /// Index of the voxel's row; -1 and size are the rim.
   std::ptrdiff_t row(int x, int y, int z) const {
     return (std::ptrdiff_t(x + 1) * (size[1] + 2) + y + 1) * (size[2] + 2) + z + 1;
   }
   float* at(int x, int y, int z) { return values.data() + row(x, y, z) * channels; }
   const float* at(int x, int y, int z) const { return values.data() + row(x, y, z) * channels; }
-  /// Those of slice x.
+  /// Visits the rows of slice x.
   template <class Visit>
   void forSlice(int x, Visit&& visit) const {
     for (int y = 0; y < size[1]; ++y)

@@ -14,7 +14,7 @@ constexpr std::array<int, 3> kChannels{48, 64, 64};
 constexpr int kFolded = 8, kBlocksPerLevel = 2, kTaps = 27;
 constexpr float kSlope = 0.1f, kLeastVariance = 1e-5f;  // network.py, torch's InstanceNorm3d
 
-/// The tensors one after the other.
+/// Reads the tensors one after the other.
 class Tensors {
  public:
   explicit Tensors(const std::vector<PriorTensor>& tensors) : tensors_(tensors) {}
@@ -30,7 +30,7 @@ class Tensors {
   std::size_t at_ = 0;
 };
 
-/// torch's order (output, input, tap) as the kernel wants it.
+/// Reorders torch's weights (output, input, tap) as the kernel needs them.
 std::vector<float> inBlocks(const PriorTensor& weights, int taps) {
   const int outputs = weights.size[0], inputs = weights.size[1];
   std::vector<float> ordered;
@@ -43,7 +43,7 @@ std::vector<float> inBlocks(const PriorTensor& weights, int taps) {
   return ordered;
 }
 
-/// The rim of what comes out is not zero.
+/// Convolution. The rim of the result is not zero.
 Features convolved(const Features& in, const PriorTensor& weights) {
   const int taps = weights.size[2] * weights.size[3] * weights.size[4];
   const std::vector<float> ordered = inBlocks(weights, taps);
@@ -65,7 +65,7 @@ struct Moments {
   std::vector<double> sum, squares;
 };
 
-/// Of each channel, over all voxels but the rim.
+/// Sums of each channel, over all voxels but the rim.
 Moments momentsOf(const Features& in) {
   const auto channels = std::size_t(in.channels);
   std::vector<Moments> by_slice(std::size_t(in.size[0]));
@@ -84,7 +84,7 @@ Moments momentsOf(const Features& in) {
   return all;
 }
 
-/// Instance normalisation and leaky rectifier; the rim becomes zero.
+/// Applies instance normalisation and leaky rectifier; the rim becomes zero.
 Features normalised(const Features& in, const PriorTensor& scale, const PriorTensor& offset) {
   const Moments moments = momentsOf(in);
   const double count = double(in.size[0]) * in.size[1] * in.size[2];
@@ -119,7 +119,7 @@ Features blocks(Features x, int outputs, Tensors& tensors) {
   return x;
 }
 
-/// Convolution of a single voxel, with offset. The rim is not zero any more.
+/// Convolution over single voxels, with offset. The rim of the result is not zero.
 Features narrowed(const Features& in, int outputs, Tensors& tensors) {
   const auto& weights = tensors.next({outputs, in.channels, 1, 1, 1});
   const auto& offset = tensors.next({outputs});
@@ -129,7 +129,7 @@ Features narrowed(const Features& in, int outputs, Tensors& tensors) {
   return out;
 }
 
-/// The greatest of 2 x 2 x 2.
+/// Maximum over blocks of 2 x 2 x 2.
 Features halved(const Features& in) {
   Features out({in.size[0] / 2, in.size[1] / 2, in.size[2] / 2}, in.channels);
   volume::forSlices(out.size[0], [&](int slice) {
@@ -165,7 +165,7 @@ Features folded(const volume::Volume& window) {
   return out;
 }
 
-/// Scores of the last layer -> shares on the window's grid.
+/// Converts scores of the last layer to shares on the window's grid.
 PriorShares unfolded(const Features& scores, const volume::VoxelGrid& grid) {
   PriorShares all;
   for (auto& one : all) one.resize(grid.count());

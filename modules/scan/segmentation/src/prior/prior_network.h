@@ -22,7 +22,7 @@ class PriorNetwork {
  public:
   /// Throws Error as readPriorWeights does, and where the tensors are not this network's.
   explicit PriorNetwork(const std::filesystem::path& weights);
-  /// `window`: kPriorSize, black 0 to white 1.
+  /// Probabilities of all classes. `window`: kPriorSize, black 0 to white 1.
   PriorShares shares(const volume::Volume& window) const;
 
  private:

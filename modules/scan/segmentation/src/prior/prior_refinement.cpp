@@ -24,9 +24,9 @@ Mask whole(const Mask& brain, const PriorUse& use) {
   return largestPart(open(closed, use.smooth_mm));
 }
 
-constexpr int kDoubtStep = 2;  // voxels between the places where doubt is stated
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is given
 
-/// Distance to the surface of what lies at or above `level`.
+/// Distance of each voxel to the surface of the region at or above `level`.
 std::vector<float> awayFrom(const std::vector<float>& values, float level, const volume::VoxelGrid& grid) {
   Mask mask{grid, std::vector<std::uint8_t>(values.size())};
   for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = values[v] >= level;
@@ -38,13 +38,13 @@ std::vector<float> sumOf(std::vector<float> a, const std::vector<float>& b) {
   return a;
 }
 
-/// How far apart the levels 0.25 and 0.75 of the prior lie.
+/// Distance between the levels 0.25 and 0.75 of the prior.
 std::vector<float> priorWidth_mm(const Volume& probability) {
   return sumOf(awayFrom(probability.voxels, 0.25f, probability.grid),
                awayFrom(probability.voxels, 0.75f, probability.grid));
 }
 
-/// `doubt_at(v)` for every other voxel of the surface.
+/// Calls `doubt_at(v)` for every other voxel of the surface.
 template <class DoubtAt>
 std::vector<BoundaryDoubt> doubtsOver(const Mask& mask, DoubtAt&& doubt_at) {
   const Mask surface = volume::surfaceVoxels(mask);
@@ -58,7 +58,7 @@ std::vector<BoundaryDoubt> doubtsOver(const Mask& mask, DoubtAt&& doubt_at) {
   return doubts;
 }
 
-/// By the width of the prior's edge, and how far the scan moved its outline.
+/// Doubts by the width of the prior's edge, and the distance by which the scan moved its outline.
 std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& probability,
                                     const PriorUse& use) {
   const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
@@ -68,7 +68,7 @@ std::vector<BoundaryDoubt> doubtsOf(const RefinedPrior& refined, const Volume& p
   });
 }
 
-/// Scores (stated_doubt.h). `log_odds`: beyond the fit's reach as the outline has it.
+/// Doubt scores (stated_doubt.h). `log_odds`: outside the fit's reach, that of the outline.
 std::vector<BoundaryDoubt> scoresOf(const RefinedPrior& refined, const Volume& probability,
                                     const std::vector<float>& log_odds) {
   const std::vector<float> moved_mm = volume::distanceTo(volume::surfaceVoxels(refined.outline));
@@ -80,7 +80,7 @@ std::vector<BoundaryDoubt> scoresOf(const RefinedPrior& refined, const Volume& p
   });
 }
 
-/// Grid, outline and shares that every refinement starts from.
+/// Grid, outline and shares at the start of every refinement.
 struct Beginning {
   Volume probability;
   Mask outline;
@@ -100,7 +100,7 @@ Beginning beginningOf(const Volume& working, const BrainPrior& prior) {
 
 namespace {
 
-/// The outline of `begun`, moved within the band.
+/// Moves the outline of `begun` within the band.
 Mask movedOutline(const Volume& working, const Beginning& begun, const PriorUse& use) {
   const Volume& probability = begun.probability;
   const Volume image = volume::smoothed(volume::resample(working, probability.grid));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kVersion = 1, kMostTensors = 1000, kMostRank = 5, kMostSize = 4096;
 
-/// Reads on from the start of the file's bytes; past their end it throws.
+/// Reads the file's bytes in order; throws past their end.
 class Bytes {
  public:
   Bytes(const std::vector<char>& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -50,7 +50,7 @@ std::vector<char> contentOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Takes the checksum off.
+/// Verifies and removes the checksum.
 void requireWhole(std::vector<char>& content, const Bytes& bytes) {
   std::uint32_t stated = 0;
   if (content.size() < 16) bytes.fail("ends too early");

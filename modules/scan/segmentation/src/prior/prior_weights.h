@@ -13,7 +13,7 @@ struct PriorTensor {
   std::vector<float> values;  // last index fastest
 };
 
-/// Throws Error: missing, another format or version, truncated, damaged.
+/// Reads the tensors. Throws Error: missing, another format or version, truncated, damaged.
 std::vector<PriorTensor> readPriorWeights(const std::filesystem::path& path);
 
 }  // namespace facenav::segmentation

@@ -12,10 +12,10 @@ namespace {
 
 using volume::Volume;
 
-/// Of the bits of all voxels. Two scans with one grid and one sum are taken for the same.
+/// Checksum of the bits of all voxels. Two scans with one grid and one sum are considered the same.
 std::uint64_t checksum(const std::vector<float>& voxels) {
   constexpr std::uint64_t kPrime = 0x100000001b3;  // FNV-1a
-  std::array<std::uint64_t, 4> sums{1, 2, 3, 4};   // side by side, so that no step waits for the one before
+  std::array<std::uint64_t, 4> sums{1, 2, 3, 4};   // independent: no step waits for the one before
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     std::uint32_t bits;
     std::memcpy(&bits, &voxels[v], sizeof bits);
@@ -36,9 +36,9 @@ struct ScanKey {
   }
 };
 
-/// The scan that was asked for last.
+/// The scan of the last request.
 struct LastScan {
-  std::mutex mutex;  // held while the network runs: who asks for the same scan waits for the result
+  std::mutex mutex;  // held while the network runs: a request for the same scan waits for the result
   ScanKey key;
   std::weak_ptr<const ScanPrior> found;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The working volume of a scan and what the brain prior's network finds in it. Head and brain are segmented
-// at the same time and both ask for it: it is made once.
+// The working volume of a scan and the brain prior's result for it. Head and brain are segmented at the same
+// time and share it, so it is computed once.
 
 #include <memory>
 
@@ -13,8 +13,8 @@ struct ScanPrior {
   std::optional<BrainPrior> prior;
 };
 
-/// Kept while someone holds it, and found again by the scan's grid and voxels. A second thread that asks
-/// meanwhile waits for the first.
+/// Returns the result of the same scan (by grid and voxels) while someone keeps it, else computes it. A
+/// second thread that asks meanwhile waits for the first.
 std::shared_ptr<const ScanPrior> scanPrior(const PriorNetwork& network, const volume::Volume& scan);
 
 }  // namespace facenav::segmentation

@@ -9,22 +9,18 @@
 namespace facenav::segmentation {
 namespace {
 
-// The numbers were fitted on 40 heads of any contrast painted from heads 02 07 12 17, which the network
-// never saw, seeds 5001 to 5040 (9 seen as T1 of either kind, 9 as T2, 22 as FLAIR or proton density). Model
-// and kOfScan were chosen by leaving out one of the four anatomies in turn (Data/brain_prior/README.md).
-// kLikeT2 and kLikeWeakT1 were fitted anew on 28 and 20 heads of all anatomies, seeds 7401 to 7420 and, for
-// the weak T1s, 7501 to 7580 too; the network of each head did not know it. A map for FLAIR alone, fitted on
-// 26 of those heads, was 7 points off on seeds 7201 to 7220. FLAIR keeps the map of proton density: 4 points
-// off on the 26 heads, 2 on thirteen of the other seeds.
+// Model and maps were fitted on painted heads that the network never saw (evidence:
+// resources/doc/evidence.md). FLAIR uses the map of proton density: a map of its own did worse on held-out
+// heads. Larger doubts are the safe direction.
 constexpr float kPriorWidth = 0.054f, kMoved = 0.031f, kFitWidth = 0.151f;  // least squares, none below 0
 constexpr float kMostFitWidth_mm = 20;
-constexpr float kOfScan = 0.75f;  // of a scan's own level of scores, taken off
+constexpr float kOfScan = 0.75f;  // share of a scan's own level of scores that is subtracted
 constexpr float kLeastStated_mm = 0.2f;
 constexpr std::array<float, 5> kStated_mm{1, 2, 3, 5, 8};
 
 struct DoubtMap {
   float usual;                  // median over scans of a scan's median score
-  std::array<float, 5> scores;  // stated as kStated_mm
+  std::array<float, 5> scores;  // scores at kStated_mm
 };
 constexpr DoubtMap kLikeT1{0.519f, {0.707f, 1.041f, 1.358f, 1.602f, 2.036f}};
 constexpr DoubtMap kLikeWeakT1{0.519f, {0.634f, 0.868f, 1.144f, 1.462f, 1.718f}};
@@ -46,7 +42,7 @@ const DoubtMap& mapOf(ContrastKind kind) {
   return kLikeDensity;
 }
 
-/// Linear between the map's places, and from the first one down to 0 at score 0.
+/// Interpolates linearly between the map's places, and from the first one down to 0 at score 0.
 float stated_mm(float score, const DoubtMap& map) {
   if (score < map.scores[0]) return std::max(kLeastStated_mm, kStated_mm[0] * score / map.scores[0]);
   std::size_t above = 1;

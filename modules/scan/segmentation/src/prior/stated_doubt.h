@@ -1,6 +1,6 @@
 #pragma once
-// What the doubt of an outline that was fitted by tissue (refinedByTissue) is stated as: so that in scans of
-// one contrast as many places are stated in each band (1 2 3 5 8 mm) as have errors there.
+// Maps the doubt score of an outline that was fitted by tissue (refinedByTissue) to a calibrated error in mm:
+// in scans of one contrast, each band (1 2 3 5 8 mm) is given to as many places as have such errors.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace facenav::segmentation {
 
-/// What the fit shows at one place of its surface, mm.
+/// Evidence of the fit at one place of its surface, mm.
 struct PlaceEvidence {
   float prior_width_mm;  // distances to the prior's levels 0.25 and 0.75, together
   float moved_mm;        // distance to the prior's outline
@@ -19,12 +19,12 @@ struct PlaceEvidence {
 /// Rises with the error to be expected; compares places of one scan.
 float doubtScore(const PlaceEvidence& evidence);
 
-/// Scores -> millimetres, 0.2 to 8. A scan whose scores are all higher than usual in its contrast is stated
-/// only a little worse: across scans the score tells little of the error.
+/// Converts scores to millimetres, 0.2 to 8. If all scores of a scan are higher than usual in its contrast,
+/// the doubts increase only a little: the score hardly predicts differences of error between scans.
 void stateDoubts(std::vector<BoundaryDoubt>& scores, ContrastKind kind);
 
-/// Where `other` (the refined prior's mask) has its outline elsewhere, the doubt is at least that far. A
-/// place beyond the grid of `other` is at least as far from that outline as from the grid.
+/// Raises the doubt to the distance of the outline of `other` (the refined prior's mask). A place beyond the
+/// grid of `other` is at least as far from that outline as from the grid.
 void raiseDoubts(std::vector<BoundaryDoubt>& doubts, const volume::Mask& other);
 
 }  // namespace facenav::segmentation

@@ -14,19 +14,19 @@ namespace {
 using volume::Volume;
 
 constexpr float kMostLogOdds = 6;
-constexpr float kMostRatio = 3;  // of the likelihoods, logarithm
+constexpr float kMostRatio = 3;  // limit of the log likelihood ratio
 constexpr int kLatticeSmoothings = 2, kRatioSmoothings = 1;
-constexpr float kPseudoVoxels = 4;  // a bin, against chance
-// Open sulci deep in the prior's outline hold fluid, but nothing else but brain: least shares of the two.
-// Chosen by what they mean; 0.05 for both gives Dice 0.002 to 0.003 less on eight heads (heads 02 07 12 17,
-// any contrast, seeds 5001 to 5008).
+constexpr float kPseudoVoxels = 4;  // pseudo-count per bin, against chance
+// Least shares of the two other classes: open sulci deep in the prior's outline contain fluid, but nothing
+// else but brain. Chosen by judgement.
 constexpr float kLeastFluid = 0.1f, kLeastOther = 0.002f;
 
 struct Shares3 {
   float brain, fluid, other;
 };
 
-/// Squared and normed: a voxel that the network is unsure of says little of a class's intensities.
+/// Squares and normalises the shares: a voxel of which the network is uncertain contributes little to a
+/// class's intensities.
 Shares3 sharpened(const Shares3& s) {
   const float b = s.brain * s.brain, f = s.fluid * s.fluid, o = s.other * s.other, sum = b + f + o + 1e-8f;
   return {b / sum, f / sum, o / sum};
@@ -103,7 +103,7 @@ class TissueMixture {
       makeLogarithms(*lattice);
     return classes;
   }
-  /// Of brain to the mixture of fluid and the rest.
+  /// Log ratio of brain to the mixture of fluid and the rest.
   float logRatio(const Classes& classes, std::size_t v, std::array<int, 3> at, float& fluid_of_rest) const {
     const auto bin = std::size_t(bins_.of(image_.voxels[v]));
     Shares3 log{0, 0, 0};

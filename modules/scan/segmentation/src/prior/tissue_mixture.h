@@ -15,12 +15,12 @@ struct TissueShares {
   volume::Volume brain, fluid;
 };
 
-/// Log odds of tissue: the prior's own further than `use.other_reach_mm` from the outline. `image`: the scan
+/// Log odds of tissue; further than `use.other_reach_mm` from the outline, the prior's own. `image`: the scan
 /// on the shares' grid. `depth_mm`: signed distance of each voxel from the outline, > 0 inside.
 std::vector<float> tissueLogOdds(const volume::Volume& image, const TissueShares& shares,
                                  const std::vector<float>& depth_mm, const PriorUse& use);
 
-/// Limited to +-6.
+/// Log odds of a probability, limited to +-6.
 float logOddsOf(float probability);
 
 }  // namespace facenav::segmentation

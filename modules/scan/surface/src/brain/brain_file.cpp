@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kCentre = "centre_mm";
 constexpr const char* kRadius = "radius_mm";
-constexpr int kMostBins = 1 << 14;  // per side
+constexpr int kMostBins = 1 << 14;  // greatest number of bins per side
 
 /// The map's row 0 is the image's top row; VTK's row 0 is the bottom one.
 vtkSmartPointer<vtkImageData> picture(const SphericalMap& map) {

@@ -89,7 +89,7 @@ class PhiThetaMesh {
     }
   }
 
-  /// Copies of one point get the same normal; otherwise seam and poles would be visible under light.
+  /// Gives all copies of one point the same normal; otherwise seam and poles would be visible under light.
   void joinNormals() {
     auto& normals = model_.mesh.normals;
     for (int r = 0; r < map_.rows; ++r) {

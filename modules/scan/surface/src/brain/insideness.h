@@ -6,8 +6,8 @@
 
 namespace facenav::surface {
 
-/// On an axis-aligned grid with cubic voxels around the mask and a margin of zeros. Throws Error for an empty
-/// mask.
+/// Smooth field of `mask` on an axis-aligned grid with cubic voxels around it and a margin of zeros. Throws
+/// Error for an empty mask.
 volume::Volume insideness(const volume::Mask& mask, double spacing_mm);
 
 }  // namespace facenav::surface

@@ -17,9 +17,9 @@ using Eigen::Vector3f;
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kHull_mm = 2.0;  // grid of the depth below the hull
-constexpr int kSmoothings = 3;  // of that depth, so that the inward direction does not change at every gyrus
-constexpr double kMargin_mm = 6.0;              // of MRI around the brain
+constexpr double kHull_mm = 2.0;    // grid of the depth below the hull
+constexpr int kSmoothings = 3;      // of that depth: keeps the inward direction the same at each gyrus
+constexpr double kMargin_mm = 6.0;  // margin of MRI around the brain
 constexpr double kBelow = 0.05, kAbove = 0.98;  // percentiles of the brain's values at the ends of the window
 
 Volume depthBelowHull(const Mask& brain) {

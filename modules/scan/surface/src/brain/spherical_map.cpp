@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 using volume::Mask;
 using volume::Volume;
 
-constexpr double kGrid_mm = 1.0;  // of the smoothed mask for the surface search
-constexpr double kStep_mm = 0.5;  // along a ray
+constexpr double kGrid_mm = 1.0;  // grid of the smoothed mask for the surface search
+constexpr double kStep_mm = 0.5;  // step along a ray
 constexpr float kInside = 0.5f;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -64,7 +64,7 @@ float colourAlong(const Ray& ray, double radius_mm, double peel_mm) {
   return sum / float(count);
 }
 
-/// Empty bins get the mean of their filled neighbours, from the rim of each gap inwards.
+/// Fills empty bins with the mean of their filled neighbours, from the rim of each gap inwards.
 void fillGaps(std::vector<float>& bins, int rows, int columns) {
   for (bool has_gap = true; has_gap;) {
     has_gap = false;

@@ -29,8 +29,8 @@ struct Front {
   double prominence(int row) const { return prominence_mm(relief, midline, row); }
 };
 
-/// Does `column` fall back by more than 8 mm within 5 mm below `row`, without coming forward again? An eye
-/// socket also falls back, but the cheek below it comes forward by at least a third of that.
+/// True if `column` falls back by more than 8 mm within 5 mm below `row`, without coming forward again. An
+/// eye socket also falls back, but the cheek below it comes forward by at least a third of that.
 bool isLedge(const Front& front, int row, int column) {
   const double above = front.at(row, column), below = front.at(row + 2, column);
   if (above <= FrontRelief::kNone || below <= FrontRelief::kNone || above - below <= 8) return false;
@@ -115,7 +115,7 @@ Cuts findCuts(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const
   return {at_nose > 5, at_ear > 10, at_forehead > 5};
 }
 
-/// The row where the nose ends above the lip: the prominence has fallen to three quarters. Nothing when the
+/// The row where the nose ends above the lip: the prominence has fallen to three quarters. nullopt if the
 /// scan ends above it.
 std::optional<int> noseBase(const Front& front, const NoseRise& nose, int last_row) {
   const double crest = front.prominence(nose.crest_row);
@@ -140,8 +140,7 @@ std::string describeEnd(const Front& front, const NoseRise& nose) {
 
 FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
                     const volume::VoxelGrid& grid) {
-  constexpr double kMostLedges =
-      0.3;  // fitted on the project's test heads: with the face cut away, most columns have a ledge
+  constexpr double kMostLedges = 0.3;  // fitted: with the face cut away, most columns have a ledge
   FaceCheck check;
   const Front front(scalp);
   const auto nose = findNoseRise(front.relief, front.midline);

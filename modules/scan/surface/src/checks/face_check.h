@@ -1,6 +1,6 @@
 #pragma once
-// Is there a face for alignment? Checks brow, eye sockets and nose at the front of the scalp: defaced, or cut
-// by the scan's edge.
+// Tests whether the scan has a face for alignment: checks brow, eye sockets and nose at the front of the
+// scalp, which may be defaced or cut by the scan's edge.
 
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@ namespace facenav::surface {
 
 struct FaceCheck {
   bool has_face = false;
-  bool has_cut_ear = false;           // the last of `findings` says so
+  bool has_cut_ear = false;           // true: the last of `findings` describes it
   std::vector<std::string> findings;  // plain words, most important first
 };
 
-/// `grid`: of the scan; gives the scan's ends.
+/// Checks the face. `grid`: the scan's grid, which gives the scan's ends.
 FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
                     const volume::VoxelGrid& grid);
 

@@ -98,7 +98,7 @@ CheckFinding checkGhosts(const ScanQuality& scan) {
           "the scan again, head padded still, phase encoding left-right so that ghosts miss the face"};
 }
 
-/// Area of the upper head (where coils go) whose skin is unsure by more than half a millimetre.
+/// Area of the upper head (where coils go) whose skin is uncertain by more than half a millimetre.
 double unsureArea_mm2(const ScalpSurface& scalp) {
   constexpr double kUnsure_mm = 0.5, kUpper_mm = 110;
   if (scalp.doubt_mm.size() != scalp.mesh.vertices_mm.size()) return 0;

@@ -16,7 +16,7 @@ using Eigen::Vector3i;
 constexpr const char* kNames[3][2] = {{"left", "right"}, {"back", "front"}, {"bottom", "top"}};
 constexpr const char* kDirections[3] = {"left-right", "front-back", "up-down"};
 
-constexpr std::size_t kEnoughAir = 200;  // voxels
+constexpr std::size_t kEnoughAir = 200;  // fewest voxels of air
 
 /// Voxels of air, without erased ones.
 struct AirSum {
@@ -73,7 +73,7 @@ class ScanMeter {
     slope_per_mm_ = upperMedian(slopes);
   }
 
-  /// Per axis, which lines of voxels along it meet the head (or come within `gap` voxels of it).
+  /// Finds, per axis, the lines of voxels that meet the head (or come within `gap` voxels of it).
   void findShadows() {
     gap_ = int(std::ceil(8 / quality_.smallest_voxel_mm));  // outside the skin's own blur
     for (int axis = 0; axis < 3; ++axis) {
@@ -142,7 +142,8 @@ class ScanMeter {
     judgeGhosts(corners, beside);
   }
 
-  /// CT shows table and headrest beside the head, and signed ghosts cancel out in a mean.
+  /// Measures ghosts in magnitude images only: CT shows table and headrest beside the head, and signed ghosts
+  /// cancel out in a mean.
   void judgeGhosts(const AirSum& corners, const std::array<AirSum, 3>& beside) {
     if (quality_.noise <= 0 || quality_.skin_step <= 0 || quality_.is_air_signed) return;
     for (int axis = 0; axis < 3; ++axis) {
@@ -155,7 +156,8 @@ class ScanMeter {
     }
   }
 
-  /// Same value as its neighbours: filled in by a program (rotated or defaced scans), not measured.
+  /// True if the value equals its neighbours': filled in by a program (rotated or defaced scans), not
+  /// measured.
   bool isErased(const Vector3i& p) const {
     for (int axis = 0; axis < 3; ++axis)
       for (const int step : {-1, 1}) {
@@ -167,14 +169,14 @@ class ScanMeter {
     return true;
   }
 
-  /// Before or behind all of the head on its line, by more than the gap.
+  /// True before or behind all of the head on its line, by more than the gap.
   bool isBeyond(int axis, const Vector3i& p) const {
     const std::size_t at = line(axis, p), a = std::size_t(axis);
     return first_[a][at] == INT_MAX || p[axis] < first_[a][at] - gap_ || p[axis] > last_[a][at] + gap_;
   }
 
-  /// Magnitude images: the air is Rayleigh distributed, so its mean square is twice the variance of the
-  /// signal (Gudbjartsson and Patz 1995). Signed values: the standard deviation.
+  /// Measures noise. Magnitude images: the air is Rayleigh distributed, so its mean square is twice the
+  /// variance of the signal (Gudbjartsson and Patz 1995). Signed values: the standard deviation.
   void judgeNoise(const AirSum& air, std::size_t erased) {
     quality_.is_air_blanked = air.count < kEnoughAir && erased >= kEnoughAir;
     if (air.count < kEnoughAir) return;
@@ -185,15 +187,16 @@ class ScanMeter {
     if (slope_per_mm_ > 0) quality_.skin_jitter_mm = quality_.noise / slope_per_mm_;
   }
 
-  /// A few negative voxels come from interpolation: the air of such an MR is that of a magnitude image.
+  /// True if the values are signed. A few negative voxels come from interpolation: the air of such an MR is
+  /// that of a magnitude image.
   bool isSigned(const AirSum& air) const {
-    constexpr double kMostNegative = 0.05, kClearly = 0.1;  // of the voxels; of the skin's step
+    constexpr double kMostNegative = 0.05, kClearly = 0.1;  // share of the voxels; share of the skin's step
     return mri_.modality == "CT" || double(air.negative) > kMostNegative * double(air.count) ||
            air.mean() < -kClearly * quality_.skin_step;
   }
 
-  /// Examines the outermost slice of one side. Head there is cut by the scan. Tissue there that is not part
-  /// of the head and lies in line with a cut on the opposite side has wrapped around.
+  /// Examines the outermost slice of one side. Head in that slice is cut by the scan. Tissue there that is
+  /// not part of the head and lies in line with a cut on the opposite side has wrapped around.
   void measureSide(int axis, int end) {
     const auto [patient, is_reversed] = patientAxis(axis);
     ScanSide& side = quality_.sides[std::size_t(2 * patient + (end ^ int(is_reversed)))];
@@ -227,7 +230,7 @@ class ScanMeter {
   double slope_per_mm_ = 0;
   int gap_ = 0;
   std::array<std::vector<char>, 3> shadow_;
-  std::array<std::vector<int>, 3> first_, last_;  // of the head on each line
+  std::array<std::vector<int>, 3> first_, last_;  // first and last voxel of the head on each line
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ using Eigen::Vector3d;
 /// photogrammetry and on MRI skin (0.5-1.5 mm for points on the midline and the eyes' inner corners, 2-3 mm
 /// for those on smooth skin).
 constexpr double kSharp_mm = 1.0, kFair_mm = 1.5, kSmooth_mm = 2.5;
-/// Of the inion, which is a bend here, and often no bump (midline_profile.h). On Colin27 it lies 18 mm above
-/// the published place.
+/// Error of the inion, which is a bend here, and often no bump (midline_profile.h). On Colin27 it lies 18 mm
+/// above the published place.
 constexpr double kInion_mm = 15.0;
 
 std::vector<Vector3d> inHead(const Eigen::Isometry3d& frame, const TriangleMesh& mesh) {
@@ -61,7 +61,7 @@ class LandmarkFinder {
   }
 
  private:
-  /// On the scan's edge, or beside a hole that it cuts into the skin.
+  /// True on the scan's edge, or beside a hole that it cuts into the skin.
   bool isCut(const Vector3d& p_mri_mm) const {
     constexpr double kNearPlane_mm = 2.0, kNearHole_mm = 8.0;
     return std::any_of(scalp_.field_of_view.begin(), scalp_.field_of_view.end(),
@@ -105,7 +105,8 @@ class LandmarkFinder {
     }
   }
 
-  /// Tragi, and the widest points of face (in front of the ears, below the eyes) and head (above the ears).
+  /// Adds tragi, and the widest points of face (in front of the ears, below the eyes) and head (above the
+  /// ears).
   void addSides(const Vector2d& nasion) {
     const SkinRelief right = anatomy::reliefFrom(Side::right, head_mm_, scalp_.mesh.triangles);
     const SkinRelief left = anatomy::reliefFrom(Side::left, head_mm_, scalp_.mesh.triangles);
@@ -115,8 +116,8 @@ class LandmarkFinder {
     addWidest("euryon", right, left, {nasion.x() - 150, nasion.x() - 40}, {nasion.y() + 40, nasion.y() + 95});
   }
 
-  /// Both or none: only symmetry distinguishes an ear from a headrest or a hair band. An ear cut by the
-  /// scan's edge shows false hollows.
+  /// Adds both tragi or none: only symmetry distinguishes an ear from a headrest or a hair band. An ear cut
+  /// by the scan's edge shows false hollows.
   void addTragi(const MaybePoint& right, const MaybePoint& left) {
     constexpr double kSkew_mm = 12;
     if (!right || !left || (right->tail<2>() - left->tail<2>()).norm() > kSkew_mm) return;

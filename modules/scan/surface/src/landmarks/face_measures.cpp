@@ -22,7 +22,7 @@ bool FaceMeasure::isUsual() const {
 
 std::vector<FaceMeasure> measureFace(const FaceLandmarks& landmarks, double voxel_mm) {
   constexpr double kTwoSided95 = 1.96;
-  const double skin_sd_mm = voxel_mm / std::sqrt(12.0);  // of the skin itself, upper bound
+  const double skin_sd_mm = voxel_mm / std::sqrt(12.0);  // standard deviation of the skin itself, upper bound
   std::vector<FaceMeasure> measures;
   for (const anatomy::FaceNorm& d : anatomy::faceNorms()) {
     const auto a = landmarks.find(d.from), b = landmarks.find(d.to);

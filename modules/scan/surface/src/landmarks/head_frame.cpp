@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 struct SymmetryPlane {
   Vector3d normal = Vector3d::UnitX();
-  double offset_mm = 0.0;  // of the plane from the centroid
+  double offset_mm = 0.0;  // distance of the plane from the centroid
   Vector3d mirrored(const Vector3d& p) const { return p - 2 * (normal.dot(p) - offset_mm) * normal; }
 };
 

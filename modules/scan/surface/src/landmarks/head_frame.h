@@ -13,7 +13,7 @@ namespace facenav::surface {
 /// onto itself, point to plane, robust to ears and cuts. For heads rotated by up to 25 degrees.
 Eigen::Isometry3d symmetryFrame(const TriangleMesh& scalp);
 
-/// `frame` rotated about its own x axis so that the direction `forward_head` becomes +y.
+/// Rotates `frame` about its own x axis so that the direction `forward_head` becomes +y.
 Eigen::Isometry3d pitched(const Eigen::Isometry3d& frame, const Eigen::Vector3d& forward_head);
 
 }  // namespace facenav::surface

@@ -10,7 +10,7 @@ namespace {
 
 struct LandmarkNames {
   Landmark landmark;
-  const char* word;        ///< in files, commands and on the screen
+  const char* word;        ///< name in files, commands and on the screen
   const char* anatomical;  ///< the anthropometric name in FaceLandmarks
 };
 

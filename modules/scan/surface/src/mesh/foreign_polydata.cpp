@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& path) {
   vtkNew<ErrorListener> listener;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->AddObserver(vtkCommand::WarningEvent, listener);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);  // speaks for a reader that fails
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);  // reports a reader's failure
   reader->SetFileName(path.c_str());
   reader->Update();
   if (listener->has_error || reader->GetErrorCode() != 0 || !reader->GetOutput())
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& path) {
   return reader->GetOutput();
 }
 
-/// What the file's comment says; 3D Slicer writes it within the first lines.
+/// True if the file's comment says LPS; 3D Slicer writes it within the first lines.
 bool saysLps(const std::filesystem::path& path) {
   std::string start(1024, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -122,7 +122,7 @@ TriangleMesh readMesh(const std::filesystem::path& path) {
     refuseSurface(path, fault.what());
   }
   if (mesh.triangles.empty()) refuseSurface(path, "it holds no triangle");
-  mesh.normals = vertexNormals(mesh);  // those of the file may be of the other frame
+  mesh.normals = vertexNormals(mesh);  // the file's normals may be in the other frame
   return mesh;
 }
 

@@ -9,7 +9,7 @@ class vtkPolyData;
 
 namespace facenav::surface {
 
-/// By the name's ending. Throws Error naming the file.
+/// Reads a file in the format of its name's ending. Throws Error naming the file.
 vtkSmartPointer<vtkPolyData> readForeignPolyData(const std::filesystem::path& path);
 
 }  // namespace facenav::surface

@@ -13,20 +13,20 @@ class vtkPolyData;
 
 namespace facenav::surface {
 
-/// Points, triangles and, if the mesh has them, point normals (float). Coordinates stay double.
+/// Converts points, triangles and, if the mesh has them, point normals (float). Coordinates stay double.
 vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh);
-/// Throws Error for polygons other than triangles. Normals come from the points' "Normals", or else from the
-/// faces around each vertex, weighted by area.
+/// Converts back. Throws Error for polygons other than triangles. Normals come from the points' "Normals", or
+/// else from the faces around each vertex, weighted by area.
 TriangleMesh toTriangleMesh(vtkPolyData& poly_data);
-/// One float per point under `name`.
+/// Adds one float per point under `name`.
 void addPointValues(vtkPolyData& poly_data, const char* name, const std::vector<float>& values);
 /// Unit normals from the faces around each vertex, weighted by area.
 std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
 
-/// Whole file or nothing, binary appended and compressed. Throws Error.
+/// Writes the whole file or nothing, binary appended and compressed. Throws Error.
 void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path,
                    FileAccess access = FileAccess::by_umask);
-/// Throws Error when the file is missing or is no .vtp file.
+/// Reads a .vtp file. Throws Error if it is missing or another kind of file.
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& path);
 
 }  // namespace facenav::surface

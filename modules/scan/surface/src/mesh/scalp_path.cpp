@@ -39,7 +39,7 @@ void tighten(std::vector<Vector3d>& points, const ClosestPoint& skin) {
   }
 }
 
-/// Where the plane through `origin` with the axes `u` and `v` cuts the mesh, in these axes.
+/// Points, in the plane's axes, where the plane through `origin` with the axes `u` and `v` cuts the mesh.
 std::vector<Vector2d> cut(const TriangleMesh& mesh, const Vector3d& origin, const Vector3d& u,
                           const Vector3d& v) {
   const Vector3d normal = u.cross(v);
@@ -103,7 +103,7 @@ ScalpPath::ScalpPath(std::vector<Vector3d> points_mm) : points_mm_(std::move(poi
     from_start_mm_.push_back(from_start_mm_.back() + (points_mm_[i] - points_mm_[i - 1]).norm());
 }
 
-/// Index of the end of the piece that holds this distance.
+/// Index of the end of the piece that contains this distance.
 std::size_t ScalpPath::pieceAt(double distance_mm) const {
   const auto after = std::lower_bound(from_start_mm_.begin() + 1, from_start_mm_.end() - 1, distance_mm);
   return std::size_t(after - from_start_mm_.begin());

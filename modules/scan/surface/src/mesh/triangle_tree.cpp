@@ -13,8 +13,8 @@ namespace {
 using Eigen::Array4f;
 using Eigen::Vector3f;
 
-constexpr int kLeaf = 6;        // triangles
-constexpr float kSame = 1e-5f;  // of the squared distance: two triangles share one nearest place
+constexpr int kLeaf = 6;        // most triangles in a leaf
+constexpr float kSame = 1e-5f;  // relative, of the squared distance: two triangles share one nearest place
 
 float squaredToBox(const Array4f& low, const Array4f& high, const Array4f& p) {
   return (low - p).max(p - high).max(Array4f::Zero()).square().sum();
@@ -22,7 +22,7 @@ float squaredToBox(const Array4f& low, const Array4f& high, const Array4f& p) {
 
 Array4f padded(const Vector3f& v) { return {v.x(), v.y(), v.z(), 0.f}; }
 
-constexpr float kUnknown = -1;  // facing
+constexpr float kUnknown = -1;  // facing not yet computed
 
 }  // namespace
 

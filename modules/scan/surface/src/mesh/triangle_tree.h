@@ -1,6 +1,6 @@
 #pragma once
-// A tree of boxes over a mesh's triangles: finds the nearest place of the mesh, also from far away. There
-// VTK's cell locator searches shell after shell of empty buckets and takes milliseconds.
+// A tree of boxes over a mesh's triangles: finds the nearest place of the mesh, also from far away. From far
+// away, VTK's cell locator searches shell after shell of empty buckets and takes milliseconds.
 
 #include <optional>
 #include <vector>
@@ -15,14 +15,14 @@ struct NearestPlace {
   int triangle = -1;
 };
 
-/// Keeps its own copy (float) of the mesh. Thread-safe.
+/// Builds the tree on its own copy (float) of the mesh. Thread-safe.
 class TriangleTree {
  public:
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// `near`: a triangle that is probably close (the result for a neighbour); it shortens the search. When
-  /// several triangles share the nearest place (an edge, a corner), the result is the one that faces the
-  /// point most: its side decides between inside and outside.
+  /// Finds the nearest place. `near`: a triangle that is probably close (the result for a neighbour); it
+  /// shortens the search. When several triangles share the nearest place (an edge, a corner), the result is
+  /// the one that faces the point most: its side decides between inside and outside.
   NearestPlace nearest(const Eigen::Vector3f& p_mm, std::optional<int> near = {}) const;
 
  private:
@@ -34,12 +34,12 @@ class TriangleTree {
     Eigen::Vector3f a, b, c;
   };
   void split(int node, std::vector<Eigen::Vector3f>& middle);
-  /// How squarely the slot's triangle faces p; `at`: its nearest place.
+  /// Measure of how squarely the slot's triangle faces p; `at`: its nearest place.
   float facing(int slot, const Eigen::Vector3f& p, const Eigen::Vector3f& at) const;
   void visit(int node, const Eigen::Array4f& p, NearestPlace& best, float& best_facing) const;
   void consider(int slot, const Eigen::Vector3f& p, NearestPlace& best, float& best_facing) const;
 
-  std::vector<Corners> corners_;  // in the order of the leaves
+  std::vector<Corners> corners_;  // corners in the order of the leaves
   std::vector<int> triangle_;     // index of each slot's triangle
   std::vector<int> slot_;         // slot of each triangle
   std::vector<Node> nodes_;

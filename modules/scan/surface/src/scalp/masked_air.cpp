@@ -46,7 +46,7 @@ std::vector<std::uint8_t> besideAir(const volume::Volume& scan, float air, const
 }
 
 /// Nearly the least of the values, as a share of their mean: a few voxels inside the head may be darker than
-/// the threshold. Nothing for too few of them.
+/// the threshold. nullopt for too few of them.
 std::optional<float> lowShare(const volume::Volume& scan, const std::vector<std::uint8_t>& beside) {
   std::vector<float> values;
   double sum = 0;
@@ -65,7 +65,7 @@ std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const 
   const auto beside = besideAir(scan, *air, head);
   const auto share = lowShare(scan, beside);
   if (!share) return {};
-  // Place by place: under shading, the threshold lay elsewhere than one level shows.
+  // Uses a local mean: under shading, the threshold varies over the scan.
   volume::Volume raised{scan.grid, volume::localMean(scan.grid, scan.voxels, beside, kPlace_mm, *air),
                         scan.modality, scan.orientation_source};
   for (std::size_t v = 0; v < scan.voxels.size(); ++v)

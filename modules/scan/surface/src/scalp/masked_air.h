@@ -8,8 +8,8 @@
 
 namespace facenav::surface {
 
-/// The scan with its air raised to that threshold, so that the step vanishes. Nothing when the air outside
-/// `head` does not have one value.
+/// Raises the scan's air to that threshold, so that the step vanishes. nullopt if the air outside `head` does
+/// not have one value.
 std::optional<volume::Volume> withoutMaskStep(const volume::Volume& scan, const volume::Mask& head);
 
 }  // namespace facenav::surface

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep_mm = 0.25;
 constexpr double kSignificant =
-    0.3;  // of the steepest slope in reach; an outer edge with less is not the skin
+    0.3;  // share of the steepest slope in reach; an outer edge with less is not the skin
 
 /// Profiles of all vertices, `length` samples each, from inside to outside.
 struct Profiles {
@@ -22,7 +22,7 @@ struct Profiles {
   float* of(std::size_t vertex) { return &values[vertex * length]; }
 };
 
-/// Trilinear; outside the grid the value of its nearest end.
+/// Trilinear sampling; outside the grid the value of its nearest end.
 class Sampler {
  public:
   explicit Sampler(const volume::Volume& volume)
@@ -63,7 +63,7 @@ Profiles sampleProfiles(const TriangleMesh& mesh, const Sampler& sample, double 
   return out;
 }
 
-/// Was the air set to one value? Then the edges' outer tails are cut off and carry no information.
+/// True if the air was set to one value: the edges' outer tails are then cut off and carry no information.
 bool isMaskedOutside(const Profiles& profiles) {
   std::size_t same = 0;
   const std::size_t count = profiles.values.size() / profiles.length;

@@ -12,10 +12,10 @@ namespace facenav::surface {
 
 struct EdgeSearch {
   double inwards_mm = 4.0, outwards_mm = 3.0;  // search distance from the vertex
-  double slope_sigma_mm = 0.6;                 // of the Gaussian derivative that measures the slope
+  double slope_sigma_mm = 0.6;                 // sigma of the Gaussian derivative that measures the slope
   int rings = 3;                               // rings of neighbours averaged
-  double stiffness = 1.0;                      // of the offsets along the surface; a clear edge has weight 1
-  bool is_air_erased = false;                  // then the edges' outer tails carry no information
+  double stiffness = 1.0;      // stiffness of the offsets along the surface; a clear edge has weight 1
+  bool is_air_erased = false;  // true: the edges' outer tails carry no information
 };
 
 /// Moves the vertices along their normals onto the edge and recomputes the normals. Vertices stay within the

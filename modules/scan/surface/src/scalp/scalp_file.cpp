@@ -35,7 +35,7 @@ vtkSmartPointer<vtkUnsignedCharArray> flag(const char* name, bool value) {
 
 constexpr double kUnknownSize = -1;
 
-/// points, point_mm, sight_mm, whole_mm, size; a size that is not known is -1.
+/// points, point_mm, sight_mm, whole_mm, size; -1: size unknown
 vtkSmartPointer<vtkDoubleArray> asField(const FaceMeasurement& face) {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(kMeasurement);

@@ -30,7 +30,7 @@ std::vector<float> gaussianKernel(double sigma_voxels) {
   return kernel;
 }
 
-/// Blurs along one axis and samples the result at `count` places, evenly from the first to the last voxel.
+/// Blurring along one axis, sampled at `count` places, evenly from the first to the last voxel.
 struct Block {
   std::array<int, 3> size;
   std::vector<float> values;

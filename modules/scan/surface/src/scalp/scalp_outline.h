@@ -8,11 +8,11 @@
 
 namespace facenav::surface {
 
-/// Half-level of the blurred mask on a grid of about `spacing_mm`, in Mri, outward; open where the mask meets
-/// the grid's end. Parts smaller than a twentieth of the whole are dropped.
+/// Outline of `head`: half-level of the blurred mask on a grid of about `spacing_mm`, in Mri, outward; open
+/// where the mask meets the grid's end. Parts smaller than a twentieth of the whole are dropped.
 TriangleMesh outlineOf(const volume::Mask& head, double spacing_mm, double blur_mm);
 
-/// Per vertex, its neighbours along edges, and whether it lies on an open edge.
+/// Neighbours of each vertex along edges, and whether it lies on an open edge.
 struct MeshNeighbours {
   std::vector<int> first;  // neighbours of v: all[first[v]] .. all[first[v + 1] - 1]
   std::vector<int> all;

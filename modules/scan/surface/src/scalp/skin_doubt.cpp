@@ -12,21 +12,20 @@ namespace facenav::surface {
 namespace {
 
 constexpr double kInside_mm = 3, kOutside_mm = 5, kDoubtStep_mm = 0.5, kFromSkin_mm = 2;
-// The edge's half is between the surroundings and what lies this near below the skin: fat further in is
-// brighter, and would draw the half inwards although the skin is clear.
+// The edge's half level is between the surroundings and the tissue this far below the skin: deeper fat is
+// brighter, and would move the half level inwards although the skin is clear.
 constexpr double kJustBelow_mm = 1.5;
 constexpr int kDoubtSmoothings = 2;
 constexpr double kFarAir_mm = 15;  // haze does not reach so far from the head
 constexpr std::size_t kFarEvery = 7, kLeastFarVoxels = 1000;
 
-// Fitted on the virtual patient, Colin27 and painted heads 03 06 09 with made halos, pads and earphones
-// (evaluation/skin_additions.h): standard errors that the skin's moves show; heads 02 07 12 17 held out.
+// Standard errors of the skin in mm, fitted; larger values are the safe direction.
 constexpr double kPerShare_mm = 4.5;  // per signal outside the skin, as a share of the tissue's
-constexpr double kFreeShare = 0.12;   // as much signal outside does no harm
+constexpr double kFreeShare = 0.12;   // this much signal outside has no effect
 constexpr double kPerSpread = 0.8;    // per distance of the edge's half from the steepest place
 constexpr double kMost_mm = 3;
 
-/// Tissue below one place, the level around it and where half between them lies.
+/// Tissue below one place, the level around it and the half level between them.
 struct Place {
   float tissue = 0, around = 0;
   double half_mm = 0;  // > 0 outside the vertex
@@ -55,8 +54,8 @@ Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eig
   return place;
 }
 
-/// Level of the air far from the head. Nothing where too little of it was measured: a value of exactly 0, or
-/// one that most voxels share, was put there by a program.
+/// Level of the air far from the head. nullopt if too few voxels were measured: a value of exactly 0, or one
+/// that most voxels share, was set by a program.
 std::optional<float> farAir(const volume::Volume& scan, const volume::Mask& head) {
   const std::vector<float> away_mm = volume::distanceTo(head);
   std::vector<float> far;

@@ -13,7 +13,7 @@
 namespace facenav::surface {
 namespace {
 
-/// The text before the data, by key; throws where it has no end.
+/// Reads the text before the data, by key; throws if it has no end.
 std::map<std::string, std::string> readTckHeader(const std::string& bytes,
                                                  const std::filesystem::path& path) {
   constexpr std::size_t kLongest = 1 << 20;
@@ -38,7 +38,7 @@ T swapped(T value) {
   return value;
 }
 
-/// Triplets; three NaN end a line, three infinities the file.
+/// Reads triplets; three NaN end a line, three infinities the file.
 template <class T>
 TractLines readTriplets(const std::string& bytes, std::size_t at, bool is_swapped,
                         const std::filesystem::path& path) {

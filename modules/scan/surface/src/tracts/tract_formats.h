@@ -11,7 +11,7 @@ TractLines readTck(const std::filesystem::path& path);
 TractLines readTrx(const std::filesystem::path& path);
 TractLines readVtkLines(const std::filesystem::path& path);
 
-/// The line that a damaged file of tracts is refused with.
+/// Refuses a damaged file of tracts.
 [[noreturn]] inline void refuseTracts(const std::filesystem::path& path, const std::string& what) {
   throw Error("the tracts cannot be read: " + what, path.string(), "copy or export the file again");
 }

@@ -70,7 +70,8 @@ int axisOf(char letter) {
   return found && letter ? int(found - kLetters) / 2 : -1;
 }
 
-/// The points are mm along the axes of voxel_order, from the corner of the first voxel.
+/// Map from TrackVis points, which are mm along the axes of voxel_order, from the corner of the first voxel,
+/// to RAS.
 Eigen::Affine3f rasFromTrackvis(const TrkHeader& header, const std::filesystem::path& path) {
   Eigen::Matrix4f voxel_from_order = Eigen::Matrix4f::Zero();
   voxel_from_order(3, 3) = 1;

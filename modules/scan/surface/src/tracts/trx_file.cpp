@@ -26,7 +26,7 @@ std::vector<T> arrayOf(const std::string& bytes) {
   return values;
 }
 
-/// The points; `scale`: bytes a number.
+/// Reads the points; `scale`: bytes a number.
 template <class T, class Convert>
 std::vector<Eigen::Vector3f> pointsOf(const std::string& bytes, Convert toFloat) {
   const auto numbers = arrayOf<T>(bytes);
@@ -58,8 +58,8 @@ std::vector<std::uint64_t> offsetsOf(const Entries& entries, const std::filesyst
 
 }  // namespace
 
-/// Positions are RAS mm. An offset is where a line begins; a last one, where present, is the number of
-/// points.
+/// Reads a .trx file. Positions are RAS mm. An offset is the index where a line begins; a last one, if
+/// present, is the number of points.
 TractLines readTrx(const std::filesystem::path& path) {
   const Entries entries = readZip(path);
   if (!entries.count("header.json")) refuseTracts(path, "it holds no header.json");

@@ -27,12 +27,13 @@ inline constexpr Norm kBrainPerHeadBall(
     "brain's volume over that of the ball which the head's top and girth let expect", "1", 0, 1.3, "any head",
     "fitted: on three heads, 0.94 to 1.19");
 
-/// "the brain measures 905 ml, adults have 1100 to 1700 ml: check its outline"; nothing for a normal one.
+/// Finding for an unusual volume: "the brain measures 905 ml, adults have 1100 to 1700 ml: check its
+/// outline"; nullopt for a normal one.
 std::optional<std::string> brainVolumeFinding(double volume_ml);
 
 /// No cortex lies deeper than this below the brain's hull: the insula lies at 20 to 25 mm.
 inline constexpr double kDeepestSulcus_mm = 25;
-/// From the scalp to a place that a coil is aimed at. Deeper places are not cortex under that scalp.
+/// Depth of an aimed place below the scalp. Deeper places are not cortex under that scalp.
 inline constexpr Norm kTargetDepth("aimed place below the scalp", "mm", 1, 80, "any head",
                                    "judgement, with a wide margin");
 

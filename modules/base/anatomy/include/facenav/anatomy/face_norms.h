@@ -13,7 +13,7 @@ namespace facenav::anatomy {
 
 struct FaceNorm {
   const char *name, *from, *to;  // plain words, then the two landmarks
-  std::optional<Norm> adults;    // nothing where no range was found
+  std::optional<Norm> adults;    // nullopt where no range was found
 };
 
 /// Distances between two landmarks, in the order of reports.
@@ -23,12 +23,13 @@ inline constexpr Norm kHeadCircumference(
     "circumference of the head over glabella and opisthocranion", "mm", 515, 615, "adults, both sexes",
     "ANSUR II 2012, men 574 (16), women 561 (19); NIOSH 2003, men 576 (18), women 559 (21)");
 inline constexpr Norm kPupils("distance of the pupils", "mm", 51, 77, "adults, both sexes", "ANSUR II 2012");
-/// For two triangulated groups of landmarks, one per eye. Outside this range they are no face, or two faces.
+/// Distance between two triangulated groups of landmarks, one per eye. Outside this range they are no face,
+/// or two faces.
 inline constexpr Norm kEyesInSpace("distance of the eyes, triangulated", "mm", kPupils.low - 6,
                                    kPupils.high + 8, "adults, both sexes",
                                    "the pupils' range with a margin for landmarks placed badly");
 
-/// Does the skin of a scan have a face? Defaced or cut scans fail. See facenav/anatomy/nose.h.
+/// Tests whether the skin of a scan has a face: defaced or cut scans fail. See facenav/anatomy/nose.h.
 inline constexpr Norm kNoseRise("nose before the face, more than the forehead is", "mm", 8, kNoLimit,
                                 "adults", "fitted: on the heads at hand, 17 to 22");
 inline constexpr Norm kSocketDepth("eyes behind the brow", "mm", 2.5, kNoLimit, "adults",

@@ -1,7 +1,7 @@
 #pragma once
 // The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. Used to
-// find the nose (nose.h) and to tell a face from a defaced scan (surface's face check). Coarse cells from
-// points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
+// find the nose (nose.h) and to distinguish a face from a defaced scan (surface's face check). Coarse cells
+// from points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
 
 #include <Eigen/Core>
 #include <limits>
@@ -12,7 +12,7 @@ namespace facenav::anatomy {
 class FrontRelief {
  public:
   static constexpr double kNone = -1e6;  // no skin in that cell
-  enum class FirstRow { top, bottom };   // of the head
+  enum class FirstRow { top, bottom };   // the head's end that row 0 shows
   struct Grid {
     double cell_mm;
     FirstRow first_row;
@@ -21,12 +21,12 @@ class FrontRelief {
     double depth_mm = std::numeric_limits<double>::infinity();
   };
 
-  /// `skin_mm`: at least one point of the skin, Mri. Each cell keeps its foremost point.
+  /// Builds the relief from `skin_mm` (at least one skin point, Mri). Each cell keeps its foremost point.
   FrontRelief(const std::vector<Eigen::Vector3d>& skin_mm, const Grid& grid);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  /// Mri y, mm; kNone outside the grid and where there is no skin.
+  /// Forward position of the skin (Mri y), mm; kNone outside the grid and where there is no skin.
   double at(int row, int column) const {
     return row < 0 || row >= rows_ || column < 0 || column >= columns_
                ? kNone

@@ -24,11 +24,11 @@ inline constexpr Norm kScanOfBrain(
 inline constexpr Norm kGirthRadius("radius of the head's girth", "mm", 50, 125, "children and adults",
                                    "judgement: from a child's head to one with shoulders in the slice");
 
-/// From the vertex down to the chin; neck and shoulders lie below. Judgement.
+/// Height of the head from vertex to chin; neck and shoulders lie below. Judgement.
 inline constexpr double kHeadHeight_mm = 200;
-/// From the middle between eyes and mouth to chin, temples and forehead, all around. Judgement.
+/// Distance from the middle between eyes and mouth to chin, temples and forehead, all around. Judgement.
 inline constexpr double kFaceReach_mm = 135;
-/// How far a head extends behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
+/// Depth of a head behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
 inline constexpr double kHeadDepth_mm = 220;
 
 }  // namespace facenav::anatomy

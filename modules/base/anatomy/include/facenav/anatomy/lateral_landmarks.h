@@ -9,12 +9,13 @@
 
 namespace facenav::anatomy {
 
-using MaybePoint = std::optional<Eigen::Vector3d>;  // head frame
+using MaybePoint = std::optional<Eigen::Vector3d>;  // in the head frame, mm; nullopt if not found
 
 struct EyeLandmarks {
   MaybePoint inner_corner, lid_centre;
 };
-/// `front`: the relief smoothed by about 1.5 mm. `side` +1: the patient's right.
+/// Finds inner corner and lid centre of one eye. `front`: the relief smoothed by about 1.5 mm. `side` +1: the
+/// patient's right.
 EyeLandmarks findEye(const SkinRelief& front, const Eigen::Vector3d& nasion, int side);
 
 /// The outermost point of the nose's wing, at the height of the wings above the nose's base.

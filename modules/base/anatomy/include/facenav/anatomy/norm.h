@@ -1,6 +1,6 @@
 #pragma once
 // Norm: the range of a measure of head, face or brain, with its unit, its population and its source. Every
-// number of human anatomy that FaceNav judges by is a Norm, stated once, in *_norms.h.
+// anatomical limit that FaceNav applies is a Norm, defined once, in *_norms.h.
 
 #include <limits>
 
@@ -8,7 +8,7 @@ namespace facenav::anatomy {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// If no source was found for a range, `source` says so.
+/// If no source was found for a range, `source` contains that.
 struct Norm {
   const char* what;        // "brain with cerebellum"
   const char* unit;        // "mm", "ml", "1"

@@ -3,8 +3,9 @@
 // cheeks beside it, and how far forward it lies.
 // - findNoseRise: is there a nose at all? For every scan, also a defaced one; so it needs the rise from the
 //   nose's root.
-// - findNoseTip: about where is its tip? It always answers, also when the scan cuts the nose, because starts
-//   and regions need a place exact to a centimetre. Stored in scalp_field.bin, so its result must not change.
+// - findNoseTip: about where is its tip? It always returns a place, also when the scan cuts the nose, because
+//   starts and regions need a place exact to a centimetre. Stored in scalp_field.bin, so its result must not
+//   change.
 // - midlineLandmarks (midline_profile.h): where exactly is it, by the anthropometric definition? Only on a
 //   whole nose.
 
@@ -16,7 +17,7 @@
 
 namespace facenav::anatomy {
 
-/// How far the midline stands out from both sides, 30 mm away, mm; FrontRelief::kNone where unknown.
+/// Height of the midline above both sides, 30 mm away, mm; FrontRelief::kNone if unknown.
 double prominence_mm(const FrontRelief& relief, int midline, int row);
 /// Mean Mri y of both sides at `beside_mm` from the midline; FrontRelief::kNone where one has no skin.
 double sides_mm(const FrontRelief& relief, int midline, int row, double beside_mm);

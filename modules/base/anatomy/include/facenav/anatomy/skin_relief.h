@@ -22,17 +22,17 @@ struct SkinRelief {
                ? kNone
                : height_mm[std::size_t(row) * columns + column];
   }
-  /// Bilinear; nothing when a neighbour has no skin.
+  /// Height by bilinear interpolation; nullopt if a neighbour has no skin.
   std::optional<double> at(double across_mm, double up_mm) const;
 };
 
 enum class Side { front, right, left };
 
-/// `head_mm`: vertices of the skin in the head frame; `triangles`: their indices. Seen from the right or
-/// left, height is the distance from the plane of symmetry.
+/// Builds the relief from one side. `head_mm`: vertices of the skin in the head frame; `triangles`: their
+/// indices. Seen from the right or left, height is the distance from the plane of symmetry.
 SkinRelief reliefFrom(Side side, const std::vector<Eigen::Vector3d>& head_mm,
                       const std::vector<Eigen::Vector3i>& triangles);
-/// Gaussian over the cells with skin.
+/// Smooths by a Gaussian over the cells with skin.
 SkinRelief smoothed(const SkinRelief& relief, double sigma_mm);
 
 }  // namespace facenav::anatomy

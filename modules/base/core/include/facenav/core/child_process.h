@@ -13,7 +13,7 @@ inline namespace core {
 
 struct ChildOptions {
   enum class Output { kept, nowhere, file };
-  Output output = Output::kept;       // of its stdout and stderr
+  Output output = Output::kept;       // destination of its stdout and stderr
   std::filesystem::path output_file;  // created new, mode 0600
   unsigned time_limit_s = 0;          // wall clock; the child is killed after it; 0: no limit
   bool may_crash = false;             // a crash is expected: no core file, default signal handlers
@@ -21,7 +21,7 @@ struct ChildOptions {
   bool ignores_terminal = false;      // own process group: the parent handles Ctrl-C
 };
 
-/// How a child ended.
+/// End of a child process.
 struct ChildEnd {
   int exit_status = -1;  // -1: a signal ended it
   int signal = 0;

@@ -19,8 +19,8 @@ struct CsvRules {
       false;  // rows may have more or fewer fields than the header; only requested ones must exist
 };
 
-/// `text` as one field: in double quotes if it contains a comma, a quote or a line break. CsvTable reads line
-/// by line, so line breaks become blanks.
+/// Formats `text` as one field: in double quotes if it contains a comma, a quote or a line break. CsvTable
+/// reads line by line, so line breaks become blanks.
 std::string csvField(std::string text);
 
 class CsvTable {

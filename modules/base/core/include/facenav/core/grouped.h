@@ -1,5 +1,5 @@
 #pragma once
-// Grouped: items sorted by their owner, such as the neighbours of each vertex. Two arrays hold all of them;
+// Grouped: items sorted by their owner, such as the neighbours of each vertex. All are stored in two arrays;
 // there is no list per owner.
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline Grouped groupedByOwner(const std::vector<std::pair<int, int>>& pairs, std
   return out;
 }
 
-/// The same without duplicates.
+/// Removes repeated items of each owner.
 inline Grouped withoutRepetitions(const Grouped& grouped) {
   Grouped out{std::vector<int>(grouped.first.size(), 0), {}};
   out.all.reserve(grouped.all.size());

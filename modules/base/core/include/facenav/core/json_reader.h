@@ -18,7 +18,7 @@ class JsonReader {
   /// Throws Error if the file is missing, is not valid JSON (the message gives the position), or its root is
   /// not an object.
   static JsonReader readFile(const std::filesystem::path& path);
-  /// The same of a text; errors name it as `where`.
+  /// Reads a JSON text; errors name it as `where`. Throws Error as readFile() does.
   static JsonReader readText(const std::string& text, const std::filesystem::path& where);
 
   bool has(const std::string& key) const;

@@ -14,7 +14,7 @@ inline namespace core {
 std::size_t lettersApart(const std::string& a, const std::string& b);
 
 /// The name that `word` is most likely a misspelling or the beginning of; none if no name is near: more than
-/// one letter off in up to four, two in up to eight, three in longer words. Of equally near names the first.
+/// one letter off in up to four, two in up to eight, three in longer words. The first of equally near names.
 std::optional<std::string> nearName(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace core

@@ -7,7 +7,7 @@
 namespace facenav {
 inline namespace core {
 
-/// `value` with `decimals` digits after the point.
+/// Formats `value` with `decimals` digits after the point.
 std::string fixed(double value, int decimals);
 /// Like printf, of any length. The compiler checks that `format` and the values agree.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);

@@ -27,19 +27,19 @@ T selectRank(std::vector<T>& values, std::size_t rank) {
   return *at;
 }
 
-/// The same on a copy.
+/// Value at `rank` as above; leaves `values` unchanged.
 template <class T>
 T valueAtRank(std::vector<T> values, std::size_t rank) {
   return selectRank(values, rank);
 }
 
-/// For an even count, the larger of the two middle values.
+/// Median; for an even count, the larger of the two middle values.
 template <class T>
 T upperMedian(std::vector<T> values) {
   return selectRank(values, values.size() / 2);
 }
 
-/// For an even count, the mean of the two middle values.
+/// Median; for an even count, the mean of the two middle values.
 template <class T>
 T median(std::vector<T> values) {
   if (values.size() % 2 == 1 || values.empty()) return upperMedian(std::move(values));
@@ -48,8 +48,8 @@ T median(std::vector<T> values) {
   return (lower + upper) / 2;
 }
 
-/// The upper median of |value - middle|. Times kSigmaPerMad it is an estimate of sigma that outliers hardly
-/// change.
+/// The upper median of |value - middle|. Multiplied by kSigmaPerMad it estimates sigma, hardly changed by
+/// outliers.
 template <class T>
 T medianAbsoluteDeviation(std::vector<T> values, T middle) {
   for (T& value : values) value = std::abs(value - middle);

@@ -1,6 +1,6 @@
 #pragma once
-// Setting: a number of a method that was fitted or chosen, with its unit, its range and where its value comes
-// from. The settings of one method form a struct of double and int fields with their defaults:
+// Setting: a number of a method that was fitted or chosen, with its unit, its range and the origin of its
+// value. The settings of one method form a struct of double and int fields with their defaults:
 //
 //   struct BrainGrowth {
 //     static constexpr const char* kModule = "segmentation";     // first part of each key
@@ -22,12 +22,13 @@
 namespace facenav {
 inline namespace core {
 
-/// Where the value of a setting comes from.
+/// Origin of a setting's value.
 enum class Origin {
   physics,  // a property of the scanner, camera, skin or head
   article,  // published; the evidence names it
-  fitted,   // chosen by results on data; the evidence says on what, how many, and the score on other data
-  chosen,   // by judgement, without a fit; the evidence says what it was compared with, where anything was
+  fitted,   // chosen by results on data; the evidence names the data, their number, and the score on other
+            // data
+  chosen,   // by judgement, without a fit; the evidence names what it was compared with, if anything
 };
 std::string toString(Origin origin);
 
@@ -37,7 +38,7 @@ struct Setting : Field {
   std::string evidence;  // a sentence
 };
 
-/// What several settings share: where their values come from.
+/// Origin of the values of several settings.
 struct Evidence {
   Origin origin;
   const char* words;

@@ -1,7 +1,7 @@
 #pragma once
 // The settings in force in this process. They are fixed before the first work: a program puts them in force
-// at most once, at its start, and nothing can change them later, least of all during a treatment. Without
-// that, the defaults are in force.
+// at most once, at its start, and nothing can change them later, least of all during a treatment. Otherwise
+// the defaults are in force.
 
 #include <map>
 #include <optional>
@@ -16,14 +16,13 @@ inline namespace core {
 namespace settings_detail {
 template <class Group>
 inline Group values{};
-/// From now on the values stay as they are.
+/// Forbids later changes of the values.
 void freeze();
 /// Keeps what differs from the defaults. Throws Error when the values may have been read already.
 void begin(const SettingsTable& table);
 }  // namespace settings_detail
 
-/// The values of one group (a struct as in setting.h). From any thread. A hot path reads them once, when it
-/// is made.
+/// Values of one group (a struct as in setting.h). Thread-safe. A hot path reads them once, at construction.
 template <class Group>
 const Group& settingsOf() {
   settings_detail::freeze();
@@ -38,13 +37,14 @@ void putInForce(const SettingsTable& table) {
   (table.copyTo(settings_detail::values<Groups>), ...);
 }
 
-/// Those in force that differ from their defaults, by key. Empty as a rule.
+/// Settings in force that differ from their defaults, by key. Usually none.
 const SettingValues& changedSettings();
 
-/// "segmentation.search_mm 9 mm (default 8)" for each of them.
+/// Text for each changed setting: "segmentation.search_mm 9 mm (default 8)".
 const std::vector<std::string>& changedSettingsInWords();
 
-/// "made with changed settings: segmentation.search_mm 9 mm (default 8)"; nothing where none differs.
+/// Finding for a result: "made with changed settings: segmentation.search_mm 9 mm (default 8)"; nullopt if
+/// none differs.
 std::optional<std::string> changedSettingsFinding(const std::string& made);
 
 }  // namespace core

@@ -26,12 +26,12 @@ struct SettingEntry {
   bool isChanged() const { return value != default_value; }
 };
 
-/// "9 mm", "0.48".
+/// Value with its unit, as text: "9 mm", "0.48".
 std::string valueInWords(double value, const std::string& unit);
 
 class SettingsTable {
  public:
-  /// With the defaults of these groups. A name that a module has twice is a bug.
+  /// Table of these groups with their defaults. A name used twice in a module is a bug.
   template <class... Groups>
   static SettingsTable of() {
     SettingsTable table;
@@ -43,11 +43,11 @@ class SettingsTable {
   /// Throws Error for an unknown key (with the nearest right one), a value out of range, and a fraction where
   /// a whole number is wanted. `where`: the file or flag, for the message.
   void set(const std::string& key, double value, const std::string& where = {});
-  /// "module.name=value". Throws Error as set() does, and when it is not written so.
+  /// Sets a value by "module.name=value". Throws Error as set() does, and for another syntax.
   void setByText(const std::string& assignment);
-  /// Throws Error as set() does, and for a file that is no settings file.
+  /// Reads a settings file. Throws Error as set() does, and for a file of another kind.
   void readFile(const std::filesystem::path& json);
-  /// What differs from the defaults.
+  /// Values that differ from the defaults.
   SettingValues changed() const;
 
   template <class Group>

@@ -1,5 +1,5 @@
 #pragma once
-// FaceNav's version, as written into provenance.
+// FaceNav's version, as written into provenance records.
 
 #include <string>
 

@@ -12,7 +12,7 @@
 namespace facenav {
 inline namespace core {
 
-/// Why a track is lost; named as in resources/doc/formats.md (poses.csv).
+/// Reason why a track is lost; named as in resources/doc/formats.md (poses.csv).
 enum class LostReason { no_face, few_features, no_marker, high_residual, camera, stale };
 
 std::string toString(LostReason reason);
@@ -40,7 +40,7 @@ class Tracked {
   }
   const T& operator*() const { return value(); }
   const T* operator->() const { return &value(); }
-  /// 0 when lost.
+  /// Quality, 0..1; 0 if lost.
   double quality() const { return value_ ? quality_ : 0.0; }
   LostReason reason() const {
     FACENAV_EXPECT(!value_.has_value(), "a tracked value has no reason of loss");

@@ -8,9 +8,9 @@
 namespace facenav {
 inline namespace core {
 
-/// 2026-11-23T14:05:09.123Z.
+/// Time as text: 2026-11-23T14:05:09.123Z.
 std::string isoUtc(std::chrono::system_clock::time_point time);
-/// Seconds since 1970 of "2026-11-23T14:05:09.123Z" or "20261123T140509Z"; nothing for other words.
+/// Seconds since 1970 of "2026-11-23T14:05:09.123Z" or "20261123T140509Z"; nullopt for other text.
 std::optional<double> secondsOfUtc(const std::string& text);
 
 }  // namespace core

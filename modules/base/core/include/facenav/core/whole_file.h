@@ -13,7 +13,7 @@ inline namespace core {
 
 class WholeFile {
  public:
-  /// With owner_only, creates the temporary file here, empty, with mode 0600; a writer that opens it by name
+  /// If owner_only, creates the temporary file here, empty, with mode 0600; a writer that opens it by name
   /// keeps that mode. Throws Error if the folder of `path` does not exist or cannot be written to.
   explicit WholeFile(std::filesystem::path path, FileAccess access = FileAccess::by_umask);
   ~WholeFile();

@@ -10,8 +10,8 @@
 namespace facenav {
 inline namespace core {
 
-/// What may exist at the destination. refuse: nothing or an empty folder. replace: anything; commit()
-/// replaces and removes it.
+/// Existing content allowed at the destination. refuse: nothing or an empty folder. replace: anything;
+/// commit() replaces and removes it.
 enum class Existing { refuse, replace };
 
 class WholeFolder {

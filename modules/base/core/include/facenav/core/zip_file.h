@@ -1,7 +1,7 @@
 #pragma once
-// One file that holds several (ZIP): tracts of other programs (.trx), what goes home with a patient, and what
-// comes back. libzip reads and writes it; every entry's checksum is verified. A casefile or surface names the
-// entries, nothing here knows what they mean.
+// Reads and writes ZIP archives: tracts of other programs (.trx), files that go home with a patient, and
+// files that come back. libzip reads and writes it; every entry's checksum is verified. The callers
+// (casefile, surface) define the entries.
 
 #include <filesystem>
 #include <map>

@@ -9,8 +9,8 @@
 namespace facenav {
 inline namespace geometry {
 
-/// Throws Error naming file and key unless the value is 16 numbers that form a rigid motion. A mirrored
-/// matrix is refused too.
+/// Reads a rigid transform. Throws Error naming file and key unless the value is 16 numbers that form a rigid
+/// motion. A mirrored matrix is refused too.
 template <class To, class From>
 RigidTransform<To, From> readTransform(const JsonReader& json) {
   const auto values = json.numbers(16);

@@ -9,9 +9,9 @@
 namespace facenav {
 inline namespace geometry {
 
-/// `points`: at least one; same unit in and out.
+/// Geometric median of `points` (at least one), in their unit.
 Eigen::Vector3d medianPoint(const std::vector<Eigen::Vector3d>& points);
-/// `rotations`: at least one, less than 90 degrees from their mean.
+/// Median of `rotations` (at least one, each less than 90 degrees from their mean).
 Eigen::Matrix3d medianRotation(const std::vector<Eigen::Matrix3d>& rotations);
 
 }  // namespace geometry

@@ -9,10 +9,10 @@ namespace facenav {
 template <class Scalar>
 struct TrianglePlace {
   Eigen::Matrix<Scalar, 3, 1> point;
-  Eigen::Matrix<Scalar, 3, 1> weights;  // of the corners a, b, c; each 0..1, their sum is 1
+  Eigen::Matrix<Scalar, 3, 1> weights;  // barycentric: of the corners a, b, c; each 0..1, sum 1
 };
 
-/// A triangle without area gives one of its points.
+/// Point of the triangle a b c nearest to `p`. For a triangle without area: one of its points.
 template <class Scalar>
 inline TrianglePlace<Scalar> nearestOnTriangle(const Eigen::Matrix<Scalar, 3, 1>& p,
                                                const Eigen::Matrix<Scalar, 3, 1>& a,

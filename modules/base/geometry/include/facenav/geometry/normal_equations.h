@@ -1,26 +1,26 @@
 #pragma once
-// Solutions of symmetric systems, principal axes and small rotations. They stand here once because Eigen's
-// decompositions are templates: each file that names one compiles it again, for seconds.
+// Solutions of symmetric systems, principal axes and small rotations. They are compiled here once: Eigen's
+// decompositions are templates, and each file that uses one would spend seconds on it.
 
 #include "facenav/geometry/rotation.h"
 
 namespace facenav {
 inline namespace geometry {
 
-/// x of A x = b, A symmetric (LDLT with pivoting). Not finite where A is singular.
+/// Solves A x = b for a symmetric A (LDLT with pivoting). The result is not finite if A is singular.
 Eigen::Vector2d solveSymmetric(const Eigen::Matrix2d& a, const Eigen::Vector2d& b);
 Eigen::Vector3d solveSymmetric(const Eigen::Matrix3d& a, const Eigen::Vector3d& b);
 Eigen::Vector4d solveSymmetric(const Eigen::Matrix4d& a, const Eigen::Vector4d& b);
 Vector6d solveSymmetric(const Matrix6d& a, const Vector6d& b);
 Eigen::VectorXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// A^-1, A symmetric (LDLT with pivoting). Not finite where A is singular.
+/// Inverse of a symmetric matrix (LDLT with pivoting). Not finite if the matrix is singular.
 Eigen::Matrix4d inverseOfSymmetric(const Eigen::Matrix4d& a);
 Eigen::MatrixXd inverseOfSymmetric(const Eigen::MatrixXd& a);
-/// A^-1 of a 6 x 6 matrix (LU with partial pivoting). Not finite where A is singular.
+/// Inverse of a 6 x 6 matrix (LU with partial pivoting). Not finite if the matrix is singular.
 Matrix6d inverseOf(const Matrix6d& a);
 
-/// Eigenvalues of a symmetric matrix, smallest first, and the unit vectors that belong to them, as columns.
+/// Eigenvalues of a symmetric matrix, smallest first, and their unit eigenvectors, as columns.
 template <int n>
 struct PrincipalAxes {
   Eigen::Matrix<double, n, 1> values;

@@ -23,7 +23,7 @@
 namespace facenav::cameras {
 
 struct CalibrationPair {
-  std::string name;     // for the report: "left01.jpg, right01.jpg"
+  std::string name;     // name for the report: "left01.jpg, right01.jpg"
   cv::Mat left, right;  // 8-bit grey, all of one size
 };
 
@@ -37,14 +37,14 @@ struct BoardView {
 struct ViewReport {
   std::string name;
   bool is_used = false;
-  std::string reason;                               // why it is not used
-  std::optional<double> left_rms_px, right_rms_px;  // against the final rig, where a board was found
+  std::string reason;                               // reason why it is not used
+  std::optional<double> left_rms_px, right_rms_px;  // against the final rig; nullopt: no board found
 };
 
 struct ModelReport {
   std::string name;            // "k1 k2 p1 p2", "k1 k2", "k1 k2 p1 p2 k3", "rational"
-  double rms_px = 0;           // of the views it was fitted to
-  double held_out_rms_px = 0;  // of views left out in turn
+  double rms_px = 0;           // for the views of the fit
+  double held_out_rms_px = 0;  // for views left out in turn
 };
 
 /// A parameter of the rig with its standard error (jackknife over the views).
@@ -58,20 +58,20 @@ struct Calibration {
   double rms_px = 0;           // sqrt(mean squared distance), all corners of all used views, left and right
   double held_out_rms_px = 0;  // of the chosen model
   double focal_sigma_px = 0, baseline_sigma_mm = 0;  // standard deviations of the fit
-  std::vector<ParameterError> parameters;            // all of them
+  std::vector<ParameterError> parameters;            // all parameters
   HeadEffect at_head;
   std::string model;
-  std::vector<ModelReport> models;  // all that were tried
+  std::vector<ModelReport> models;  // all models that were tried
   std::vector<ViewReport> views;    // all pairs, in the order given
   std::vector<std::string>
       warnings;  // "left and right look swapped", "the board never came near the corners", ..
   int usedViews() const;
 };
 
-/// Throws Error: no pairs, sizes differ, board found in too few of them, or too few views in which the board
-/// stood still between the two exposures.
+/// Calibrates. Throws Error: no pairs, sizes differ, board found in too few of them, or too few views in
+/// which the board did not move between the two exposures.
 Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& board, TaskMonitor& monitor);
-/// The same from corners already found.
+/// Calibrates from corners already found.
 Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& image_size,
                              const Board& board, TaskMonitor& monitor);
 

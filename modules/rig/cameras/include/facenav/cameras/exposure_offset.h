@@ -4,7 +4,7 @@
 namespace facenav::cameras {
 
 struct ExposureOffset {
-  double right_late_s = 0.0;  // 0 unless it is known to differ from 0
+  double right_late_s = 0.0;  // 0 unless a difference is known
   double sigma_s = 0.0;       // 0: not measured
 };
 

@@ -11,12 +11,12 @@ namespace facenav::cameras {
 
 struct PatchMatch {
   Eigen::Vector2d right_px;
-  double correlation = 0;  // normalised, of the final patches
-  double sigma_px = 0;     // of the position in its worse direction, from texture and residual
+  double correlation = 0;  // normalised correlation of the final patches
+  double sigma_px = 0;     // error of the position in its worse direction, from texture and residual
 };
 
-/// 8-bit grey images. Nothing when the patch lacks texture in one direction, leaves the image, moves more
-/// than 8 px, or ends with a correlation below 0.85.
+/// Matches a patch of 8-bit grey images. nullopt if the patch lacks texture in one direction, leaves the
+/// image, moves more than 8 px, or ends with a correlation below 0.85.
 std::optional<PatchMatch> matchPatch(const cv::Mat& left, const cv::Mat& right,
                                      const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_start_px);
 

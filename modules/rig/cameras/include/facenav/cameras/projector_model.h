@@ -1,6 +1,6 @@
 #pragma once
-// ProjectorModel: a calibrated projector, as in projector.yml. Its lens is a camera's, with the light going
-// the other way: the pixel of a point is where the projector must light to hit it.
+// ProjectorModel: a calibrated projector, as in projector.yml. Its lens is modelled as a camera's with the
+// light reversed: the pixel of a point is the one to light in order to hit it.
 
 #include <filesystem>
 
@@ -9,7 +9,7 @@
 namespace facenav::cameras {
 
 struct ProjectorModel {
-  int width_px = 0, height_px = 0;  // of the picture that it shows
+  int width_px = 0, height_px = 0;  // size of the picture that it shows
   CameraModel lens;
   RigidTransform<Projector, Camera> projector_T_camera;
 };

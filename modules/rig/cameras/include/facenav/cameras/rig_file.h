@@ -14,7 +14,7 @@ namespace facenav::cameras {
 
 struct CalibrationNotes {
   std::string board;         // "9x6, 25 mm"
-  std::optional<int> views;  // pairs used
+  std::optional<int> views;  // number of pairs used
   std::string created;       // UTC, ISO 8601
   std::optional<HeadEffect> at_head;
 };

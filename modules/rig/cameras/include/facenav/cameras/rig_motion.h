@@ -6,7 +6,8 @@
 
 namespace facenav::cameras {
 
-/// `motion`: increment of right_T_left (rotation rad, translation mm; applied on the left).
+/// Moves the right camera by `motion`: increment of right_T_left (rotation rad, translation mm; applied on
+/// the left).
 inline StereoRig turned(const StereoRig& rig, const Vector6d& motion) {
   StereoRig moved = rig;
   Eigen::Isometry3d pose = rig.right_T_left.isometry();

@@ -1,5 +1,5 @@
 #pragma once
-// RigUncertainty: the calibration's uncertainty as rigs one standard deviation away. And the epipolar
+// RigUncertainty: the calibration's uncertainty as rigs one standard deviation away. Also the epipolar
 // residual of a pair of pixels under a rig.
 
 #include <vector>
@@ -14,7 +14,7 @@ struct RigUncertainty {
   std::vector<StereoRig> one_sigma;
   double lens_px = 0.05;  // misfit of the lens model in one place of the image
 };
-/// From the rig's own covariance. Without one, typical values for its rms_px (0.2 px where unknown).
+/// Takes the rig's own covariance. Without one, typical values for its rms_px (0.2 px if unknown).
 RigUncertainty uncertaintyOf(const StereoRig& rig);
 
 /// Signed distance (px) of the right pixel from the epipolar line of the left one, positive on the side to

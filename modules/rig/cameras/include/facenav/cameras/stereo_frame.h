@@ -13,13 +13,13 @@ namespace facenav::cameras {
 struct StereoFrame {
   cv::Mat left, right;  // 8-bit, 1 channel, H x W, both of the rig's size
   std::int64_t number = 0;
-  Timestamp captured;  // of the left image
-  /// How much later the right image was taken, by the cameras' own time stamps, s. Absent: unknown.
+  Timestamp captured;  // capture time of the left image
+  /// Delay of the right image after the left one, by the cameras' own time stamps, s; nullopt: unknown.
   std::optional<double> right_late_s = std::nullopt;
-  /// Why there are no pictures, in words: a live camera is away. Empty: there are.
+  /// Reason as text why there are no pictures: a live camera is away. Empty: there are pictures.
   std::string absence = {};
-  /// Why no pose of these pictures may be shown, in words: the source knows that its cameras no longer fit
-  /// their calibration. Empty: it knows of no reason.
+  /// Reason as text why no pose of these pictures may be shown: the source detected that its cameras no
+  /// longer fit their calibration. Empty: no known reason.
   std::string rig_fault = {};
 };
 

@@ -15,16 +15,16 @@ namespace facenav::cameras {
 struct CameraModel {
   cv::Matx33d k = cv::Matx33d::eye();  // fx 0 cx; 0 fy cy; 0 0 1, px
   cv::Mat distortion;                  // 1 x n, 64-bit, n = 4, 5, 8, 12 or 14; empty: none
-  /// Rolling shutter: time from one row's exposure to that of the row below, s. A picture's time stamp is
+  /// Time from one row's exposure to that of the row below (rolling shutter), s. A picture's time stamp is
   /// that of its middle row. 0: all rows at once, or not known. Negative: read from below.
   double row_time_s = 0.0;
 };
 
-/// No camera reads a picture more slowly than this, s.
+/// Longest readout time of a picture in any camera, s.
 constexpr double kLongestReadout_s = 0.1;
 
 struct StereoRig {
-  int width_px = 0, height_px = 0;  // of both images
+  int width_px = 0, height_px = 0;  // size of both images
   CameraModel left, right;
   RigidTransform<RightCamera, Camera> right_T_left;
   std::optional<double> rms_px;  // reprojection error of the calibration, where known
@@ -36,12 +36,12 @@ struct StereoRig {
   double baseline_mm() const { return right_T_left.inverse().translation_mm().norm(); }
 };
 
-/// The same picture size, lenses and places of the cameras. Row times and stated errors may differ: sessions
-/// measure row times anew.
+/// True for the same picture size, lenses and camera poses. Row times and standard errors may differ:
+/// sessions measure row times anew.
 bool isSameCalibration(const StereoRig& a, const StereoRig& b);
 
 /// Reads stereo.yml (resources/doc/formats.md). Throws Error naming the file and the missing or malformed
-/// key: K without positive focal lengths, R that is no rotation, T of zero length or one that looks like
+/// key: K without positive focal lengths, R that is not a rotation, T of zero length or one that looks like
 /// metres (< 5 mm), a row time with which a picture would take longer than kLongestReadout_s.
 StereoRig readRig(const std::filesystem::path& path);
 /// Writes the whole stereo.yml or nothing.
@@ -49,7 +49,7 @@ void writeRig(const StereoRig& rig, const std::filesystem::path& path);
 
 /// Distorted pixel of a point in the camera's own frame (mm). z must be > 0.
 Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm);
-/// The same with the derivative d(pixel)/d(p), 2 x 3.
+/// Projects a point and gives the derivative d(pixel)/d(p), 2 x 3.
 Eigen::Vector2d project(const CameraModel& camera, const Eigen::Vector3d& p_mm,
                         Eigen::Matrix<double, 2, 3>& jacobian);
 /// Undistorted normalised coordinates (x/z, y/z) of a pixel.

@@ -9,9 +9,9 @@
 
 namespace facenav::capture {
 
-/// Each of `left` and `right` is a list of files and globs ("left*.jpg"), expanded here and sorted by the
-/// number in the name. Throws Error: a glob without a match, counts or numbers that differ, an image that
-/// cannot be read.
+/// Reads the pairs. `left` and `right` are lists of files and globs ("left*.jpg"), expanded here and sorted
+/// by the number in the name. Throws Error: a glob without a match, counts or numbers that differ, an image
+/// that cannot be read.
 std::vector<cameras::CalibrationPair> readCalibrationImages(const std::vector<std::string>& left,
                                                             const std::vector<std::string>& right);
 

@@ -19,7 +19,7 @@ struct CameraIdentity {
   std::string address;  // opens it now: "/dev/video2", "Aravis-Fake-GV01", "http://host/video"
   std::string model;    // "HD Pro Webcam C920"
   std::string serial;   // empty: it has none
-  std::string port;     // where it is plugged in: "1-2.4", "192.168.1.20"; empty: unknown
+  std::string port;     // port that it is plugged into: "1-2.4", "192.168.1.20"; empty: unknown
 };
 
 enum class CameraFault {
@@ -56,15 +56,16 @@ struct CameraSettings {
   int width_px = 640, height_px = 480;
   double frames_per_s = 30.0;
   std::string format;  // "GREY", "YUYV", "MJPG"; empty: the first of these that is fast enough
-  // Absent: locked at the value that the camera has now.
+  // Locked values; nullopt: locked at the value that the camera has now.
   std::optional<double> exposure_ms, gain, focus, white_balance_k;
   Trigger trigger = Trigger::free_run;
-  // The camera adjusts itself, to find values for this light: run it so for some seconds, then configure
-  // again without.
+  // True: the camera adjusts itself to find values for this light. Let it run for some seconds, then
+  // configure again with false.
   bool is_adjusting = false;
 };
 
-/// One of the camera's own adjustments. It changes the picture under the tracker unless it is locked.
+/// State of one of the camera's own adjustments, which changes the picture under the tracker unless it is
+/// locked.
 struct ControlState {
   enum class Lock {
     locked,   // automatic adjustment is off, and the camera reads back the wanted value
@@ -74,16 +75,16 @@ struct ControlState {
   std::string name, unit;  // "exposure", "ms"
   std::optional<double> wanted, actual;
   Lock lock = Lock::absent;
-  std::string words;                 // why it is not locked: "the camera stays on automatic"
-  std::optional<double> found = {};  // the value before it was set; absent: not read
+  std::string words;                 // reason why it is not locked: "the camera stays on automatic"
+  std::optional<double> found = {};  // value before it was set; nullopt: not read
 };
 
 struct CameraState {
   int width_px = 0, height_px = 0;
   double frames_per_s = 0.0;  // 0: unknown
-  std::string format, clock;  // clock: where the time stamps come from, in words
+  std::string format, clock;  // clock: source of the time stamps, as text
   std::vector<ControlState> controls;
-  std::vector<std::string> notes;  // what else the driver refused or changed
+  std::vector<std::string> notes;  // other settings that the driver refused or changed
 };
 
 struct CameraPicture {
@@ -92,13 +93,13 @@ struct CameraPicture {
   std::int64_t sequence = 0;  // the driver's picture number; a gap is a dropped picture
 };
 
-/// Since start().
+/// Counts since start().
 struct PictureCounts {
   std::int64_t delivered = 0;
   std::int64_t dropped = 0;      // gaps in the driver's numbers
   std::int64_t damaged = 0;      // marked as damaged by the driver, incomplete or undecodable
-  std::int64_t repeated = 0;     // the same picture once more
-  std::int64_t clock_steps = 0;  // jumps of the camera's clock; its time stamps were fitted anew
+  std::int64_t repeated = 0;     // repeats of the same picture
+  std::int64_t clock_steps = 0;  // jumps of the camera's clock, after which its time stamps were fitted anew
 };
 
 class Camera {
@@ -111,10 +112,10 @@ class Camera {
   virtual CameraState configure(const CameraSettings& settings) = 0;
   /// Starts the pictures. Throws CameraError: in_use, no_bandwidth, unplugged.
   virtual void start() = 0;
-  /// State as read back since start(): some cameras forget their settings when they start.
+  /// State as read back after start(): some cameras forget their settings when they start.
   virtual CameraState state() const = 0;
-  /// The next picture, at most `timeout_s` later; nothing if none came. Damaged pictures are left out and
-  /// counted. Throws CameraError: unplugged, ended, hung where the pictures of a stream come too late.
+  /// Waits at most `timeout_s` for the next picture; nullopt if none came. Damaged pictures are left out and
+  /// counted. Throws CameraError: unplugged, ended, hung if the pictures of a stream come too late.
   virtual std::optional<CameraPicture> next(double timeout_s) = 0;
   /// Takes one picture (Trigger::software). Throws CameraError if the camera has no such trigger.
   virtual void trigger() = 0;
@@ -122,12 +123,13 @@ class Camera {
   virtual PictureCounts counts() const = 0;
 };
 
-/// "v4l2:HD Pro Webcam C920#A1B2" with a serial number, "v4l2:USB Camera@1-2" with a port only, else backend
-/// and address. It names the same camera after a restart (with a port only: while it stays in that port).
+/// Name of a camera: "v4l2:HD Pro Webcam C920#A1B2" with a serial number, "v4l2:USB Camera@1-2" with a port
+/// only, else backend and address. It names the same camera after a restart (with a port only: while it stays
+/// in that port).
 std::string stableName(const CameraIdentity& camera);
-/// Whether `a` and `b` are the same camera: by serial number, else by model and port, else by address.
+/// True if `a` and `b` are the same camera: by serial number, else by model and port, else by address.
 bool isSameCamera(const CameraIdentity& a, const CameraIdentity& b);
-/// "HD Pro Webcam C920, serial number A1B2 (/dev/video2)".
+/// One line: "HD Pro Webcam C920, serial number A1B2 (/dev/video2)".
 std::string inWords(const CameraIdentity& camera);
 /// Controls that are not locked, one line each: "focus: the camera stays on automatic". Empty if all is
 /// locked.

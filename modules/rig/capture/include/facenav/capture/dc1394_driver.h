@@ -1,6 +1,6 @@
 #pragma once
-// Dc1394Driver: what the IEEE 1394 (FireWire, IIDC) backend asks of libdc1394, so that tests can stand in for
-// a bus with cameras.
+// Dc1394Driver: the calls of the IEEE 1394 (FireWire, IIDC) backend to libdc1394, so that tests can replace
+// the bus and its cameras.
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +24,7 @@ struct Dc1394Mode {
   std::vector<double> rates;
 };
 
-/// An adjustment, in its unit where the camera has one (shutter s), else in the camera's steps.
+/// An adjustment, in its unit if the camera has one (shutter s), else in the camera's steps.
 struct Dc1394Adjustment {
   double minimum = 0, maximum = 0, value = 0;
   bool is_automatic = false, has_unit = false;
@@ -34,9 +34,9 @@ enum class Dc1394Feature { shutter, gain, focus };
 enum class Dc1394Answer { done, busy, no_bandwidth, gone, refused };
 
 struct Dc1394Picture {
-  const std::uint8_t* bytes = nullptr;  // until giveBack()
+  const std::uint8_t* bytes = nullptr;  // valid until giveBack()
   std::size_t stride = 0;               // bytes a line
-  double unix_s = 0;                    // when it came over the bus, seconds since 1970
+  double unix_s = 0;                    // arrival over the bus, seconds since 1970
   bool is_damaged = false;
 };
 
@@ -45,14 +45,14 @@ class Dc1394Device {
   virtual ~Dc1394Device() = default;
   virtual std::vector<Dc1394Mode> modes() = 0;
   virtual Dc1394Answer setMode(const Dc1394Mode& mode, double rate) = 0;
-  /// Nothing: the camera has no such adjustment.
+  /// Reads an adjustment; nullopt if the camera has none.
   virtual std::optional<Dc1394Adjustment> read(Dc1394Feature feature) = 0;
   virtual void write(Dc1394Feature feature, bool is_automatic, std::optional<double> value) = 0;
   virtual Dc1394Answer setTrigger(Trigger trigger) = 0;
   virtual Dc1394Answer pullTrigger() = 0;
   virtual Dc1394Answer start() = 0;
   virtual void stop() = 0;
-  /// Waits for a picture; nothing within the time, or `gone` is set.
+  /// Waits for a picture; nullopt if none came within the time, or if `is_gone` is set.
   virtual std::optional<Dc1394Picture> take(double timeout_s, bool& is_gone) = 0;
   virtual void giveBack() = 0;
 };
@@ -60,9 +60,9 @@ class Dc1394Device {
 class Dc1394Driver {
  public:
   virtual ~Dc1394Driver() = default;
-  /// Empty too where there is no bus.
+  /// Lists the cameras; empty if there is no bus.
   virtual std::vector<Dc1394Unit> list() = 0;
-  /// Null if it cannot be opened.
+  /// Opens a camera; null if it cannot be opened.
   virtual std::unique_ptr<Dc1394Device> open(std::uint64_t guid) = 0;
 };
 

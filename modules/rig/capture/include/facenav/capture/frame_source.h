@@ -1,5 +1,5 @@
 #pragma once
-// FrameSource: where stereo frames come from (recording folder, video pair, camera pair, virtual room). Every
+// FrameSource: a source of stereo frames (recording folder, video pair, camera pair, virtual room). Every
 // source implements this interface and passes the contract tests in testing/support/frame_source_contract.h.
 
 #include <memory>
@@ -21,7 +21,7 @@ class FrameSource {
   virtual std::shared_ptr<const cameras::StereoFrame> next() = 0;
   /// Number of frames, if known.
   virtual std::optional<std::int64_t> frameCount() const { return std::nullopt; }
-  /// What a user should know about live cameras, one line each: "left camera, focus: the camera stays on
+  /// Warnings about live cameras for the user, one line each: "left camera, focus: the camera stays on
   /// automatic". May be called from any thread.
   virtual std::vector<std::string> cautions() const { return {}; }
 };

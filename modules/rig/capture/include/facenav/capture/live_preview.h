@@ -19,15 +19,15 @@ class LivePreview {
   LivePreview(const LivePreview&) = delete;
   LivePreview& operator=(const LivePreview&) = delete;
 
-  /// Null before the first.
+  /// Newest frame; null before the first one.
   std::shared_ptr<const cameras::StereoFrame> latest() const;
   /// Time since the newest frame, s; large before the first frame.
   double age_s() const;
   /// Frame rate over about the last second; 0 while unknown.
   double frames_per_s() const;
-  /// Why no more frames arrive (the message of an Error); empty while there is no failure.
+  /// Reason why no more frames arrive (the message of an Error); empty while there is no failure.
   std::string failure() const;
-  /// Of the source (FrameSource::cautions).
+  /// Warnings of the source (FrameSource::cautions).
   std::vector<std::string> cautions() const;
   /// True when a recording has been played to its end.
   bool hasEnded() const;

@@ -1,9 +1,9 @@
 #pragma once
-// PictureMatcher: pictures of two cameras -> pairs of one moment, by capture time. Two cameras without a
-// trigger run free: their exposures differ by a delay that is constant for minutes (and drifts with their
-// clocks). A left picture is paired with the right one that is nearest to its own time plus that delay; a
-// picture whose partner was dropped is left out. The delay is kept within 0.6 of a picture's interval, so
-// that pairs do not alternate between two partners where the delay is half an interval.
+// PictureMatcher: pairs the pictures of two cameras by capture time. Two cameras without a trigger run free:
+// their exposures differ by a delay that is constant for minutes (and drifts with their clocks). A left
+// picture is paired with the right one that is nearest to its own time plus that delay; a picture whose
+// partner was dropped is left out. The delay is kept within 0.6 of a picture's interval, so that pairs do not
+// alternate between two partners when the delay is half an interval.
 
 #include <cstdint>
 #include <deque>
@@ -27,13 +27,14 @@ struct PairTiming {
 
 class PictureMatcher {
  public:
-  /// `interval_s`: expected time between two pictures of a camera; measured from then on.
+  /// `interval_s`: expected time between two pictures of a camera; it is measured from then on.
   explicit PictureMatcher(double interval_s);
-  /// Pictures of one side in the order of their times. At most 8 a side wait for a partner; older ones are
-  /// left out.
+  /// Adds pictures of one side, in the order of their times. At most 8 a side wait for a partner; older ones
+  /// are left out.
   void addLeft(CameraPicture picture);
   void addRight(CameraPicture picture);
-  /// The oldest pair that is complete, or nothing. Does not wait: a partner that is nearer cannot come later.
+  /// Oldest complete pair; nullopt if there is none. Does not wait: a partner that is nearer cannot come
+  /// later.
   std::optional<PicturePair> take();
   PairTiming timing() const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// Recording: the folder of resources/doc/formats.md, read and written. It may hold image folders or videos,
-// any start index, any rig.
+// Recording: the folder of resources/doc/formats.md, read and written. It may contain image folders or
+// videos, any start index, any rig.
 
 #include <filesystem>
 #include <map>
@@ -35,7 +35,7 @@ Recording openRecording(const std::filesystem::path& folder);
 Recording openCapture(const std::filesystem::path& folder);
 std::unique_ptr<FrameSource> makeSource(const Recording& recording);
 
-/// frame -> pose, from truth/head.csv or truth/coil.csv (frame,tx,ty,tz,qw,qx,qy,qz).
+/// Truth pose of each frame, from truth/head.csv or truth/coil.csv (frame,tx,ty,tz,qw,qx,qy,qz).
 std::map<std::int64_t, Eigen::Isometry3d> readTruth(const std::filesystem::path& csv);
 
 /// Writes a recording frame by frame into a temporary folder next to `folder`. close() renames the folder to
@@ -49,7 +49,7 @@ class RecordingWriter {
                   FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
   ~RecordingWriter();
   void add(const cameras::StereoFrame& frame);
-  /// An empty `pattern`: there is no projector; only the plain pair is written.
+  /// Sets the capture. An empty `pattern`: there is no projector; only the plain pair is written.
   void setCapture(const CapturePair& pair);
   void addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
                 const std::optional<Eigen::Isometry3d>& camera_T_marker);

@@ -19,13 +19,13 @@ class RecordingPictures {
   RecordingPictures(RecordingPictures&&) noexcept;
   RecordingPictures& operator=(RecordingPictures&&) noexcept;
 
-  /// The cameras that took them.
+  /// Rig of the cameras that took them.
   const cameras::StereoRig& rig() const;
-  /// Of each frame, increasing.
+  /// Number of each frame, increasing.
   const std::vector<std::int64_t>& numbers() const;
   const std::vector<double>& times_s() const;
-  /// The frame of that number; null if the recording has none. A step forward is fast; with videos, a step
-  /// back reads from the beginning. Throws Error if it cannot be read.
+  /// Frame of that number; null if the recording has none. A step forward is fast; with videos, a step back
+  /// reads from the beginning. Throws Error if it cannot be read.
   std::shared_ptr<const cameras::StereoFrame> frame(std::int64_t number);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// RigStore: camera pairs kept under a name: which two cameras, with which locked settings and which
+// RigStore: camera pairs stored under a name: which two cameras, with which locked settings and which
 // calibration. One folder a rig: rig.json (resources/doc/formats.md) and stereo.yml. Default place: the
 // user's configuration folder.
 
@@ -17,23 +17,23 @@ namespace facenav::capture {
 /// One of the rig's cameras.
 struct RigCamera {
   CameraIdentity identity;
-  CameraSettings settings;  // with the values that the adjustments were locked at
+  CameraSettings settings;  // with the locked values of the adjustments
 };
 
 /// Effect of the calibration's error at the target: one standard deviation.
 struct RigUncertainty_mm {
-  double distance_mm = 0;  // of the target from the left camera
-  double point_mm = 0;     // of a point's position
+  double distance_mm = 0;  // distance of the target from the left camera
+  double point_mm = 0;     // error of a point's position
 };
 
-/// Result of one check, as it is kept.
+/// Stored result of one check.
 struct RigCheckNote {
   std::string utc;    // ISO 8601
   std::string state;  // "holds", "moved", ..
   std::string words;
 };
 
-/// Rolling shutter as a session measured it: the time from one row to the row below, s.
+/// Row times of a rolling shutter as measured by a session: the time from one row to the row below, s.
 struct MeasuredRowTimes {
   std::string utc;  // ISO 8601
   double left_s = 0, right_s = 0;
@@ -41,14 +41,14 @@ struct MeasuredRowTimes {
 
 struct NamedRig {
   std::string name, created_utc;
-  std::optional<RigCamera> left, right;  // both or none: a rig made from files alone knows no cameras
+  std::optional<RigCamera> left, right;  // both or none: a rig made from files alone has no cameras
   cameras::StereoRig rig;
   std::optional<RigUncertainty_mm> uncertainty;
   std::optional<RigCheckNote> last_check;
-  std::optional<MeasuredRowTimes> row_times;  // in `rig` they stand in place of the calibration's own
+  std::optional<MeasuredRowTimes> row_times;  // in `rig` they replace the calibration's own
 };
 
-/// A folder of the store; `problem` says why it cannot be read.
+/// A folder of the store; `problem`: the reason why it cannot be read.
 struct RigEntry {
   std::string name;
   std::filesystem::path folder;
@@ -58,17 +58,19 @@ struct RigEntry {
 
 class RigStore {
  public:
-  /// The folder need not exist yet. Empty: $XDG_CONFIG_HOME/facenav/rigs, else ~/.config/facenav/rigs.
+  /// Opens a store. The folder need not exist yet. Empty: $XDG_CONFIG_HOME/facenav/rigs, else
+  /// ~/.config/facenav/rigs.
   explicit RigStore(std::filesystem::path folder = {});
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path folderOf(const std::string& name) const;
-  /// By name.
+  /// Entries sorted by name.
   std::vector<RigEntry> list() const;
-  /// Throws Error: there is no such rig (the message lists those there are), or a file of it is damaged.
+  /// Reads a rig. Throws Error: there is no such rig (the message lists the existing ones), or a file of it
+  /// is damaged.
   NamedRig read(const std::string& name) const;
-  /// Writes the whole folder or nothing. Throws Error: the name has other signs than letters, digits, blank,
-  /// '-', '_' and '.', or it is taken and `existing` is refuse. Row times that were measured with a rig that
-  /// is replaced stay, where cameras, their formats and the picture size are the same.
+  /// Writes the whole folder or nothing. Throws Error: the name has characters other than letters, digits,
+  /// blank, '-', '_' and '.', or it is taken and `existing` is refuse. Measured row times of a replaced rig
+  /// stay if cameras, their formats and the picture size are the same.
   void write(const NamedRig& rig, Existing existing) const;
   /// Replaces the note of the last check. Throws Error as read().
   void note(const std::string& name, const RigCheckNote& check) const;
@@ -80,16 +82,15 @@ class RigStore {
 };
 
 /// Opens the rig's two cameras with its settings. Throws CameraError, naming the camera: not connected,
-/// another piece of the same model, in use; Error if the rig knows no cameras.
+/// another piece of the same model, in use; Error if the rig has no cameras.
 std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const NamedRig& rig);
-/// Adjustments that are not as the rig keeps them, one line each: "left camera, exposure: 5 ms was asked for,
-/// ..".
+/// Adjustments that differ from the rig's, one line each: "left camera, exposure: 5 ms was asked for, ..".
 std::vector<std::string> changedSettings(const CameraPairSource& source);
-/// Adjustments that were not as the rig keeps them when the cameras were opened, and are again, one line
-/// each: "left camera, exposure: was 20 ms, is 8 ms again".
+/// Adjustments that differed from the rig's when the cameras were opened, and were restored, one line each:
+/// "left camera, exposure: was 20 ms, is 8 ms again".
 std::vector<std::string> restoredSettings(const CameraPairSource& source);
 
-/// A note of this moment.
+/// Note of a check at this moment.
 RigCheckNote noteOfNow(const std::string& state, const std::string& words);
 
 }  // namespace facenav::capture

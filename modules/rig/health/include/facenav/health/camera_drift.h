@@ -1,15 +1,16 @@
 #pragma once
-// CameraDrift: a camera that moves on its mount during a session. The face that is tracked shows how the
-// right camera stands to the left one in all six axes, against the moment of the reference
-// (RightPoseObservation). The frames are fused by a Kalman filter of a random walk. What lasts over the
-// frames (light, expression, the error of a key frame) does not become smaller by it and is added.
+// CameraDrift: a camera that moves on its mount during a session. The tracked face determines the right
+// camera's pose relative to the left one in all six axes, compared with the reference (RightPoseObservation).
+// The frames are fused by a Kalman filter of a random walk. Errors that last over the frames (light,
+// expression, the error of a key frame) do not become smaller by it and are added.
 //
-// Nothing changes while the motion is within its error. Motion that is beyond three standard errors is
-// corrected: the session tracks with `right_T_left()` from then on. Where it is not known well enough for
-// that, and where it is too large to trust, `fault()` says so and no pose may be shown.
+// A motion within its error changes nothing. A motion beyond three standard errors is corrected: the session
+// tracks with `right_T_left()` from then on. If it is not known well enough for that, or is too large to
+// trust, `fault()` reports it and no pose may be shown.
 //
 // A key frame made after the camera moved shows the moved camera as if nothing had happened. So each key
-// frame counts with the motion that was known, and not yet corrected, when it was made, and with its error.
+// frame is stored with the motion that was known, but not yet corrected, when it was made, and with its
+// error.
 
 #include <map>
 #include <optional>
@@ -33,25 +34,26 @@ class CameraDrift {
  public:
   explicit CameraDrift(const cameras::StereoRig& rig) : calibrated_(rig.right_T_left) {}
 
-  /// One tracked frame. It was tracked with right_T_left() as of the frame before.
+  /// Adds one tracked frame, which was tracked with right_T_left() as of the frame before.
   void add(const RigObservation& seen);
-  /// A frame without the face: a camera that has moved may move on unseen.
+  /// Adds a frame without the face: a camera that has moved may move on unseen.
   void addWithoutFace(Timestamp captured);
 
-  /// How the cameras stand: as calibrated, or as corrected.
+  /// Pose of the right camera: as calibrated, or as corrected.
   RigidTransform<RightCamera, Camera> right_T_left() const;
-  /// Standard error of the direction of right_T_left() while a motion is followed, and what the correction
-  /// lags behind; 0 while nothing has moved.
+  /// Standard error of the direction of right_T_left() while a motion is followed, plus the lag of the
+  /// correction; 0 while nothing has moved.
   double turnSigma_rad() const;
-  /// Why no pose can be trusted; empty: the cameras stand still, or their motion is known and corrected.
+  /// Reason why no pose can be trusted; nullopt: the cameras have not moved, or their motion is known and
+  /// corrected.
   std::optional<RigVerdict> fault() const;
-  /// The motion that is corrected; empty: none is.
+  /// The motion that is corrected; nullopt if none is.
   std::optional<CorrectedMotion> correction() const;
 
-  /// As estimated since the reference: (rad, mm) of the right camera, in its own frame.
+  /// Estimated motion of the right camera since the reference: (rad, mm), in its own frame.
   const Vector6d& moved() const { return moved_; }
   const Matrix6d& covariance() const { return certainty_; }
-  /// Squared distance of the motion that is not corrected from zero, in its own standard errors (6 degrees of
+  /// Squared distance from zero of the motion that is not corrected, in its own standard errors (6 degrees of
   /// freedom).
   double statistic() const { return statistic_; }
 
@@ -67,8 +69,8 @@ class CameraDrift {
   RigidTransform<RightCamera, Camera> calibrated_;
   Vector6d moved_ = Vector6d::Zero(), corrected_ = Vector6d::Zero();
   Matrix6d covariance_ = Matrix6d::Zero();  // of the filter
-  Matrix6d certainty_ = Matrix6d::Zero();   // and what all frames, and the key frame, have in common
-  int contradicted_ = 0;                    // frames in a row
+  Matrix6d certainty_ = Matrix6d::Zero();   // plus the errors common to all frames, and of the key frame
+  int contradicted_ = 0;                    // contradicting frames in a row
   bool is_followed_ = false, is_unseen_ = false;
   std::map<int, KeyFrame> keys_;
   std::optional<Timestamp> last_;

@@ -1,7 +1,7 @@
 #pragma once
 // RigObservation: what one frame shows about the cameras. Matches of skin, corners of a board or of the
-// coil's marker, the printed size of a square, and the right camera's pose by the tracked face all arrive in
-// this one type, each with its error and the frame's time. RigHealth (rig_health.h) estimates from it.
+// coil's marker, the printed size of a square, and the right camera's pose by the tracked face all have this
+// one type, each with its error and the frame's time. RigHealth (rig_health.h) estimates from it.
 
 #include <Eigen/Core>
 #include <array>
@@ -14,41 +14,42 @@
 
 namespace facenav::health {
 
-/// One point in both images, each position measured without use of the epipolar line.
+/// One point in both images; each position is measured without the epipolar line.
 struct Correspondence {
   Eigen::Vector2d left_px, right_px;
-  double sigma_px = 0.2;  // across the epipolar line
+  double sigma_px = 0.2;  // error across the epipolar line
 };
 
-/// A square of known size (a marker, squares of a board), its corners in order, in both images. Across the
-/// epipolar lines each image is measured independently.
+/// A square of known size (a marker, squares of a board) with its corners in order, in both images. Across
+/// the epipolar lines each image is measured independently.
 struct SquareObservation {
   std::array<Eigen::Vector2d, 4> left_px, right_px;
-  double sigma_px = 0.0;        // of a corner across the epipolar lines
+  double sigma_px = 0.0;        // error of a corner across the epipolar lines
   double size_mm = 0.0;         // edge of the square, as printed
   double print_sigma_mm = 0.0;  // standard error of size_mm
   double size_sigma_mm = 0.0;   // standard error of the size measured in both images
 };
 
-/// How the right camera has moved on its mount since a key frame, as the face shows it: each camera by itself
-/// sees the known face at a pose. Relative to the rig that the frame was tracked with.
+/// Motion of the right camera on its mount since a key frame, from the face: each camera by itself measures
+/// the pose of the known face. Relative to the rig that the frame was tracked with.
 struct RightPoseObservation {
-  Vector6d moved = Vector6d::Zero();  // (rad, mm), right camera: it stands at exp(moved) * right_T_left
+  Vector6d moved = Vector6d::Zero();  // (rad, mm), right camera: its pose is exp(moved) * right_T_left
   Matrix6d covariance = Matrix6d::Zero();
-  /// Error of the head's pose without it: pose_by_moved * moved, as (w rad, v mm) about the face's centre.
+  /// Effect of the motion on the head's pose: pose_by_moved * moved, as (w rad, v mm) about the face's
+  /// centre.
   Matrix6d pose_by_moved = Matrix6d::Zero();
   int key = 0,
-      newest_key = 0;  // numbers of the key frame of this fit and of the last one begun; 0: reference
+      newest_key = 0;  // key frame of this fit and newest key frame; 0: reference
 };
 
 struct RigObservation {
   Timestamp captured;
   std::vector<Correspondence> matches;      // skin patches
   std::optional<SquareObservation> square;  // the coil's marker at rest
-  std::optional<bool> square_fits;  // its pose fits both cameras and its printed size; empty: not seen
+  std::optional<bool> square_fits;  // its pose fits both cameras and its printed size; nullopt: not seen
   bool sees_face = false;
-  Point<Camera> face_centre;                         // where the face is tracked
-  std::optional<RightPoseObservation> right_camera;  // empty where the face shows too little of it
+  Point<Camera> face_centre;                         // place of the tracked face
+  std::optional<RightPoseObservation> right_camera;  // nullopt if the face shows too little of it
 };
 
 }  // namespace facenav::health

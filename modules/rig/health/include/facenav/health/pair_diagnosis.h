@@ -1,13 +1,14 @@
 #pragma once
-// PairDiagnosis: why a pair of pictures does not fit its calibration. Matches are found without the rig
-// (pair_matches.h). The diagnosis is the simplest explanation that fits them: the calibration; left and right
-// exchanged; a right camera that was knocked; any other pose of it (another rig's calibration); none (the two
-// exposures are of different moments: face, hair and clothes moved apart, and no camera pose fits all).
+// PairDiagnosis: the reason why a pair of pictures does not fit its calibration. Matches are found without
+// the rig (pair_matches.h). The diagnosis is the simplest explanation that fits them: the calibration; left
+// and right exchanged; a right camera that was knocked; any other pose of it (another rig's calibration);
+// none (the two exposures are of different moments: face, hair and clothes moved apart, and no camera pose
+// fits all).
 //
-// Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. When they do,
-// matches are grown over the skin: it moves otherwise than the skull when the face does. Only a head that
+// Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. If they do,
+// matches are grown over the skin, which moves relative to the skull when the face does. Limit: a head that
 // moved as one rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell
-// these two apart, and the advice for a moved camera says so.
+// these two apart, so the advice for a moved camera mentions both.
 
 #include <string>
 #include <vector>
@@ -24,26 +25,26 @@ struct PairDiagnosis {
   std::size_t matches = 0;
   double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
-  double residual_px = 0;  // median, of the calibration as it is
-  double skin_px = 0;      // residual shared by neighbouring skin under the best explanation; 0: not tested
+  double residual_px = 0;  // median residual under the calibration
+  double skin_px = 0;      // residual common to neighbouring skin under the best explanation; 0: not tested
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).
   RigidTransform<RightCamera, Camera> right_T_left;
 
-  /// Whether the diagnosis blames a camera's pose; only then is the skin tested.
+  /// True if the diagnosis blames a camera's pose; only then is the skin tested.
   bool isOfCameras() const { return state == RigState::moved || state == RigState::other_cameras; }
   bool isFault() const { return health::isFault(state); }
-  /// Finding and advice are empty without a fault.
+  /// Finding and advice; empty without a fault.
   RigVerdict verdict() const;
 };
 
-/// From matches of one pair, sigma_px of each across the epipolar line.
+/// Diagnoses matches of one pair; sigma_px of each is across the epipolar line.
 PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches);
-/// Refines a diagnosis of moved cameras or of another rig by the skin: it is confirmed, or the pictures are
-/// of two moments. `skin`: matches grown over the face (growMatches). Any other diagnosis is returned
-/// unchanged.
+/// Tests a diagnosis of moved cameras or of another rig on the skin: confirms it, or finds pictures of two
+/// moments. `skin`: matches grown over the face (growMatches). Any other diagnosis is returned unchanged.
 PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
                        const std::vector<Correspondence>& skin);
-/// From the pictures, including the skin: half a second, or a second where the rig does not fit.
+/// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
+/// fit.
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame);
 
 }  // namespace facenav::health

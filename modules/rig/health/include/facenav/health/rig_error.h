@@ -15,7 +15,7 @@ namespace facenav::health {
 class RigError : public Error {
  public:
   using Error::Error;
-  /// `before`: in front of the finding ("not aligned: ").
+  /// `before`: text in front of the finding ("not aligned: ").
   explicit RigError(const PairDiagnosis& diagnosis, const std::string& before = {});
 };
 

@@ -1,11 +1,12 @@
 #pragma once
-// RigHealth: do the cameras stand as they were calibrated? It estimates that during a session from what
-// navigation measures anyway (RigObservation): matches of the face's skin, the coil's marker, and the right
-// camera's pose by the tracked face. Cameras that moved since their calibration are noticed at the session's
+// RigHealth: estimates during a session whether the cameras are positioned as calibrated. It uses the
+// measurements of navigation (RigObservation): matches of the face's skin, the coil's marker, and the right
+// camera's pose by the tracked face. Cameras that moved since their calibration are detected at the session's
 // start and during it, without a board. Costs some tens of microseconds a frame.
 //
 // A camera that turned sideways moves every point along its epipolar line, so that the face looks right. The
-// marker's size shows it. The coil's tracker then gives no pose; the head's pose is wrong for the same cause.
+// marker's size reveals it. The coil's tracker then gives no pose; the head's pose is wrong for the same
+// cause.
 
 #include <optional>
 
@@ -19,19 +20,20 @@ namespace facenav::health {
 class RigHealth {
  public:
   explicit RigHealth(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig), drift_(rig) {}
-  /// The session's reference pair and the face measured in it (Camera, mm, with its pixels in the left image;
-  /// may be empty): checks as a whole whether the pair fits the rig (half a second).
+  /// Starts with the session's reference pair and the face measured in it (Camera, mm, with its pixels in the
+  /// left image; may be empty). Checks whether the whole pair fits the rig (half a second).
   void start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
              const std::vector<Eigen::Vector2f>& left_px);
-  /// What the next frame shows. It was tracked with right_T_left() as of the frame before.
+  /// Adds the next frame, which was tracked with right_T_left() as of the frame before.
   void add(const RigObservation& seen);
-  /// Why no pose can be trusted, as of the last judgement (some frames ago); empty if no fault is known.
+  /// Reason why no pose can be trusted, as of the last judgement (some frames ago); nullopt if no fault is
+  /// known.
   std::optional<RigVerdict> fault() const;
-  /// How the cameras stand, for the next frame: as calibrated, or corrected for a motion on the mount.
+  /// Pose of the right camera for the next frame: as calibrated, or corrected for a motion on the mount.
   RigidTransform<RightCamera, Camera> right_T_left() const { return drift_.right_T_left(); }
-  /// Standard error of its direction, beyond the calibration's.
+  /// Standard error of the direction of right_T_left(), beyond the calibration's.
   double rightTurnSigma_rad() const { return drift_.turnSigma_rad(); }
-  /// The motion that is corrected; empty: none is.
+  /// The motion that is corrected; nullopt if none is.
   std::optional<CorrectedMotion> correction() const { return drift_.correction(); }
 
  private:
@@ -44,12 +46,12 @@ class RigHealth {
   std::optional<RigVerdict> reference_fault_;  // a session that starts with such images stays wrong
   bool has_fitted_ = false;                    // the whole reference pair fitted its calibration
   std::size_t frames_ = 0;
-  /// Frames in a row in which a coil at rest has, or has not, the size and the rows that its print must have.
+  /// Frames in a row in which a coil at rest contradicts, or fits, the size and the rows of its print.
   std::size_t contradicted_ = 0, agreed_ = 0;
   bool coil_contradicts_ = false;
 };
 
-/// Frames at a session's start in which the cameras are judged more often, and more is matched for it.
+/// Frames at a session's start in which the cameras are judged more often, with more matches.
 constexpr std::size_t kFirstFrames = 30;
 
 }  // namespace facenav::health

@@ -1,14 +1,14 @@
 #pragma once
-// RigMonitor: do the cameras still stand as they were calibrated? It needs no board. It gathers points that
-// both images show (skin, marker corners) and squares of known size. The cameras have moved where a motion of
+// RigMonitor: tests without a board whether the cameras are positioned as calibrated. It gathers points that
+// both images show (skin, marker corners) and squares of known size. The cameras have moved if a motion of
 // the right camera explains these much better than the calibration's own uncertainty does.
 //
 // Points are gathered in cells of the image, so that ten thousand in one place do not count as independent: a
 // cell counts by its median. The cells have a Student's t likelihood, since a match on a silhouette or a
 // glint is wrong by pixels.
 //
-// What it detects: pitch and roll of one camera against the other, from epipolar residuals (some hundredths
-// of a degree). Yaw and a longer or shorter baseline move points along the epipolar lines: only the size of
+// It detects pitch and roll of one camera against the other, from epipolar residuals (some hundredths of a
+// degree). Yaw and a longer or shorter baseline move points along the epipolar lines: only the size of
 // squares shows them. A focal length that changed equally in both cameras shows in neither.
 
 #include <array>
@@ -22,17 +22,17 @@
 
 namespace facenav::health {
 
-/// What the gathered points and squares say.
+/// Estimate from the gathered points and squares.
 struct RigEstimate {
-  RigState state = RigState::unclear;  // or holds, or moved
-  double statistic = 0;      // of the likelihood ratio; chi-square with 6 degrees of freedom if it holds
-  double contradiction = 0;  // median over the points of |residual| in its own sigmas; 0.67 if it holds
-  double epipolar_px = 0;    // rms over the cells, wrong matches left out
+  RigState state = RigState::unclear;  // unclear, holds or moved
+  double statistic = 0;  // likelihood ratio; chi-square with 6 degrees of freedom if the calibration holds
+  double contradiction = 0;  // median over the points of |residual| / sigma; 0.67 if it holds
+  double epipolar_px = 0;    // rms over the cells, without wrong matches
   double displaced_mm = 0;   // rms error of points in space if the cameras moved as estimated
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();  // estimated rotation of the right camera
 
   bool hasMoved() const { return state == RigState::moved; }
-  /// With numbers: "the cameras have moved since their calibration (..): calibrate again".
+  /// Verdict with numbers: "the cameras have moved since their calibration (..): calibrate again".
   RigVerdict verdict() const;
 };
 
@@ -44,7 +44,7 @@ class RigMonitor {
   /// Adds the points of one frame. Takes some microseconds a point.
   void add(const std::vector<Correspondence>& points);
   void add(const SquareObservation& square);
-  /// Takes about a millisecond: call it for every 30th frame, not for each.
+  /// Estimates. Takes about a millisecond: call it for every 30th frame, not for each.
   RigEstimate estimate() const;
 
  private:

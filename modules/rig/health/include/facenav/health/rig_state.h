@@ -1,7 +1,7 @@
 #pragma once
-// RigState and RigVerdict: the one vocabulary for "do the cameras stand as they were calibrated, and do they
-// expose together". Every check of a camera pair ends in it: matches of one pair, a board or a marker,
-// a face while it is tracked, a kept rig at its start.
+// RigState and RigVerdict: the common result of every check of a camera pair: whether the cameras are
+// positioned as calibrated, and expose together. Used for matches of one pair, a board or a marker, a face
+// while it is tracked, and a stored rig at its start.
 
 #include <string>
 
@@ -17,17 +17,17 @@ enum class RigState {
   away,           // a camera is unplugged or silent
 };
 
-/// One word, as in rig.json and in `facenav rig check --json`: "holds", "moved", "other_cameras", "swapped",
-/// "unclear", "out_of_step", "away".
+/// Word of a state, as in rig.json and in `facenav rig check --json`: "holds", "moved", "other_cameras",
+/// "swapped", "unclear", "out_of_step", "away".
 std::string toString(RigState state);
-/// The state of this word; unclear for any other word.
+/// State of a word; unclear for an unknown word.
 RigState rigStateNamed(const std::string& word);
-/// Neither unclear nor holds.
+/// True for every state but unclear and holds.
 bool isFault(RigState state);
-/// The cameras' geometry is not the calibration's: moved, other cameras, swapped.
+/// True if the cameras' geometry is not the calibration's: moved, other cameras, swapped.
 bool isWrongGeometry(RigState state);
 
-/// What a check of a camera pair found, and what to do about it.
+/// Finding of a check of a camera pair, with advice.
 struct RigVerdict {
   RigState state = RigState::unclear;
   std::string finding, advice;  // "the cameras have moved ..", "calibrate again"; either may be empty

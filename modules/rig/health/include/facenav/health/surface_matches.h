@@ -10,7 +10,8 @@
 
 namespace facenav::health {
 
-/// `surface`: Camera, mm, with its pixels in the left image. At most `most` matches, spread over the surface.
+/// Matches `surface` (Camera, mm, with its pixels in the left image): at most `most` matches, spread over the
+/// surface.
 std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                                          const PointCloud<Camera>& surface,
                                          const std::vector<Eigen::Vector2f>& left_px, std::size_t most = 600);

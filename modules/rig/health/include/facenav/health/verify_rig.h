@@ -1,9 +1,9 @@
 #pragma once
-// RigVerifier: does a rig's calibration still hold? Stereo frames of something of known size (the board in a
-// new position, or the coil's marker) are measured with the calibration and compared with the truth: lengths,
-// rows (epipolar lines), and each camera's own picture of the board. Distances come from lengths: rows alone
-// do not show a camera that turned sideways. In one place, a camera that turned and one that was shifted can
-// cancel each other: a second place, nearer or farther, tells them apart.
+// RigVerifier: checks whether a rig's calibration still holds. Stereo frames of something of known size (the
+// board in a new position, or the coil's marker) are measured with the calibration and compared with the
+// truth: lengths, rows (epipolar lines), and each camera's own picture of the board. Lengths are needed
+// because rows alone do not show a camera that turned sideways. In one place, a turn and a shift of a camera
+// can cancel each other: a second place, nearer or farther, separates them.
 
 #include <functional>
 #include <memory>
@@ -44,14 +44,15 @@ struct MeasuredLength {
   double true_mm = 0, measured_mm = 0;
   double sigma_mm = 0;  // of the difference, if the calibration holds: calibration, print and pictures
   bool contradicts() const;
-  /// "board: 160.03 mm measured, 160.00 mm true: +0.03 mm, +0.02 % (+-0.3 mm if the calibration holds)".
+  /// One line: "board: 160.03 mm measured, 160.00 mm true: +0.03 mm, +0.02 % (+-0.3 mm if the calibration
+  /// holds)".
   std::string words() const;
 };
 
-/// How far board or marker moved between two measurements.
+/// Motion of board or marker between two measurements.
 struct CheckMotion {
   double moved_mm = 0, turned_deg = 0;  // of its middle; of its normal
-  /// By RigCheckRules: the measurements are of two places.
+  /// True if, by RigCheckRules, the measurements are of two places.
   bool isEnough() const;
   std::string words() const;
 };
@@ -62,30 +63,30 @@ struct RigVerification {
   std::vector<MeasuredLength> lengths;
   double row_error_px = 0;                     // median distance of a point from its epipolar line
   double left_lens_px = 0, right_lens_px = 0;  // rms of each camera's own picture of the board; 0: no board
-  double scale_change =
-      0;  // of one camera's picture against the other's: its focal length is not the calibrated one
-  double turn_deg = 0, shift_mm = 0;  // of the right camera against the calibration; 0 while it holds
-  double point_error_mm = 0;          // what it does to a point's position
-  CheckMotion motion;                 // largest from the first measurement
-  /// What was found, with numbers: "board: 159.6 mm measured, 160.0 mm true (+-0.3 mm)", one line each.
+  double scale_change = 0;  // relative scale of one camera's picture: other than 0 if its focal length is not
+                            // the calibrated one
+  double turn_deg = 0, shift_mm = 0;  // motion of the right camera since the calibration; 0 while it holds
+  double point_error_mm = 0;          // effect of the motion on a point's position
+  CheckMotion motion;                 // largest motion from the first measurement
+  /// Findings with numbers, one line each: "board: 159.6 mm measured, 160.0 mm true (+-0.3 mm)".
   std::vector<std::string> findings() const;
-  /// The verdict and what to do, one line.
+  /// Verdict and advice, one line.
   std::string words() const;
 };
 
-/// Finds a square of known size in a frame (coil_tracking::squareFinder: the coil's marker); nothing where it
-/// is not seen well. Frames come in the order of their times.
+/// Finds a square of known size in a frame (coil_tracking::squareFinder: the coil's marker); nullopt if it is
+/// not seen well. Frames come in the order of their times.
 using SquareFinder = std::function<std::optional<SquareObservation>(const cameras::StereoFrame&)>;
 
 class RigVerifier {
  public:
-  /// `board`: look for it; empty: for a marker only. `find_marker`: may be empty (board only).
+  /// `board`: to look for; nullopt: a marker only. `find_marker`: may be empty (board only).
   RigVerifier(const cameras::StereoRig& rig, std::optional<cameras::Board> board, SquareFinder find_marker);
   ~RigVerifier();
-  /// Throws Error if the pictures do not have the rig's size.
+  /// Measures a frame. Throws Error if the pictures do not have the rig's size.
   void add(const cameras::StereoFrame& frame);
   RigVerification result() const;
-  /// From the first measurement to the newest.
+  /// Motion from the first measurement to the newest.
   CheckMotion motion() const;
 
  private:

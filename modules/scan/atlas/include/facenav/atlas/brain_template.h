@@ -28,7 +28,7 @@ BrainTemplate readColin27(const std::filesystem::path& folder = "/usr/share/mric
 
 struct Label {
   std::string name;        // empty: no label within the search distance
-  double distance_mm = 0;  // to the labelled voxel; 0 inside it
+  double distance_mm = 0;  // distance to the labelled voxel; 0 inside it
 };
 /// The label at a point of MNI space, or the nearest one within `search_mm` (labels end at the cortex, but
 /// clicks may lie outside it).

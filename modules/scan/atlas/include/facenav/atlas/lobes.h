@@ -11,7 +11,7 @@ class LobeMap {
   /// Built from the template's AAL labels; each point within 20 mm of a label takes the nearest one.
   explicit LobeMap(const LabelMap& aal);
 
-  /// "left frontal lobe"; empty far from the brain.
+  /// Name of the region: "left frontal lobe"; empty far from the brain.
   const std::string& at(const Point<Mni>& p) const;
   const std::vector<std::string>& names() const { return names_; }
 

@@ -12,7 +12,7 @@
 namespace facenav::atlas {
 
 struct AtlasOptions {
-  double spacing_mm = 2.0;     // of the finest level
+  double spacing_mm = 2.0;     // at the finest level
   int iterations_coarse = 40;  // at twice that spacing
   int iterations_fine = 25;
 
@@ -25,10 +25,10 @@ struct AtlasOptions {
   }
 };
 
-/// How well the registration fits. It is shown to the user, and labels are refused if the fit is poor.
+/// Quality of a registration. It is shown to the user, and labels are refused if the fit is poor.
 struct AtlasQuality {
-  double correlation_affine = 0, correlation = 0;  // of locally normalised T1 inside the brain, -1..1
-  double dice = 0;                                 // of both brains, after the warp
+  double correlation_affine = 0, correlation = 0;  // locally normalised T1 inside the brain, -1..1
+  double dice = 0;                                 // overlap of both brains after the warp
   double smallest_jacobian = 0;                    // > 0: invertible everywhere on the grid
   bool isUsable() const { return dice > 0.9 && correlation > 0.3 && smallest_jacobian > 0; }
 };
@@ -38,8 +38,8 @@ struct AtlasFit {
   AtlasQuality quality;
 };
 
-/// `mri`: T1-weighted, any orientation; `brain`: its brain mask, any grid. Throws Error for an empty mask,
-/// Cancelled.
+/// Registers the template to a patient. `mri`: T1-weighted, any orientation; `brain`: its brain mask, any
+/// grid. Throws Error for an empty mask, Cancelled.
 AtlasFit registerAtlas(const volume::Volume& mri, const volume::Mask& brain, const BrainTemplate& atlas,
                        const AtlasOptions& options, TaskMonitor& monitor);
 

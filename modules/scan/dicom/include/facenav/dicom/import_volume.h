@@ -1,5 +1,5 @@
 #pragma once
-// Entry point for every MRI: reads a DICOM folder or file, or a NIfTI file, into a Volume. States what was
+// Entry point for every MRI: reads a DICOM folder or file, or a NIfTI file, into a Volume. Reports what was
 // chosen and where left and right come from. Used by `facenav prepare` and the Prepare workspace.
 
 #include <filesystem>

@@ -9,7 +9,7 @@
 
 namespace facenav::dicom {
 
-/// As the files say (PS3.3 C.7.1.1); any of them may be empty.
+/// A patient as in the files (PS3.3 C.7.1.1); any field may be empty.
 struct Patient {
   std::string name;        // "Family^Given^Middle^Prefix^Suffix", the alphabetic group where it has one
   std::string id;          // Patient ID
@@ -17,11 +17,11 @@ struct Patient {
   std::string sex;         // "M", "F", "O" or empty
 };
 
-/// Read from the series' first file. Throws Error naming it when it cannot be read.
+/// Reads the patient from the series' first file. Throws Error naming it if it cannot be read.
 Patient patientOf(const SeriesInfo& series);
-/// "Family, Given Middle"; the ID where there is no name; empty where there is neither.
+/// Name for display: "Family, Given Middle"; the ID if there is no name; empty if there is neither.
 std::string nameInWords(const Patient& patient);
-/// "Family, Given, born 1970-01-31, F, ID 4711"; "no patient named" where the files name none.
+/// One line: "Family, Given, born 1970-01-31, F, ID 4711"; "no patient named" if the files name none.
 std::string inWords(const Patient& patient);
 
 /// Number of patients among the images of `series`. Images without a name count as one more patient, since

@@ -15,7 +15,7 @@
 
 namespace facenav::dicom {
 
-/// Why a series gives no volume. For code; `SeriesInfo::problem` is the text for users.
+/// Reason why a series gives no volume, for code; `SeriesInfo::problem` is the text for users.
 enum class SeriesProblem {
   none,
   no_volume,   // another kind of object, a localizer, an unsupported modality
@@ -26,18 +26,19 @@ enum class SeriesProblem {
   several_volumes,  // several at one place
   too_large,
 };
-/// "damaged", "single_slice", ..: for other programs; stays the same when the texts change. Empty for none.
+/// Id for other programs: "damaged", "single_slice", ..; stays the same when the texts change. Empty for
+/// none.
 const char* idOf(SeriesProblem problem);
 
-/// One volume that a series holds, or would hold. A series whose UID covers several volumes (echoes,
-/// magnitude and phase, stacks) gives one entry each, distinguished by `part`.
+/// One volume of a series, or a series without a loadable volume. A series whose UID covers several volumes
+/// (echoes, magnitude and phase, stacks) gives one entry each, distinguished by `part`.
 struct SeriesInfo {
   std::string series_uid, study_uid;
   std::string id;                           // value for --series: the UID, with "#2", "#3" for further parts
   std::string description, modality, date;  // date as YYYY-MM-DD or empty; never the patient's name
-  std::string part;                    // "echo 4.92 ms", "phase", ..; empty where the UID holds one volume
-  std::optional<JoinedSlices> joined;  // the slices carry different UIDs and were joined
-  bool is_magnitude_part = false;      // the other parts of the UID show that this one is magnitude
+  std::string part;                         // "echo 4.92 ms", "phase", ..; empty if the UID has one volume
+  std::optional<JoinedSlices> joined;       // the slices carry different UIDs and were joined
+  bool is_magnitude_part = false;           // the other parts of the UID show that this one is magnitude
   bool has_contrast_agent = false;
   std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty: unknown
   int series_number = 0;
@@ -51,7 +52,7 @@ struct SeriesInfo {
       frames;  // per file the frames of this volume; empty: every frame of every file
   bool is_loadable = false;
   SeriesProblem problem_kind = SeriesProblem::none;
-  std::string problem;                 // why not, as text, when !is_loadable
+  std::string problem;                 // reason as text, if !is_loadable
   std::filesystem::path problem_file;  // the file with the fault, if there is one
   std::vector<std::string> notes;      // duplicates dropped, lossy compression, CT gives the scalp only, ..
   bool is_fit_for_navigation = false;  // a T1 of the whole head with voxels of at most 1.2 mm
@@ -63,12 +64,13 @@ struct SeriesInfo {
   int thumbnail_frame = 0;
 };
 
-/// Every series under `folder` (recursively) or of the one given file, the recommended one first. A DICOMDIR
-/// means its folder. Files other than DICOM are skipped. Throws Error when the path does not exist or holds
-/// no DICOM.
+/// Lists every series under `folder` (recursively) or of the one given file, the recommended one first. A
+/// DICOMDIR means its folder. Files other than DICOM are skipped. Throws Error when the path does not exist
+/// or contains no DICOM.
 std::vector<SeriesInfo> listSeries(const std::filesystem::path& folder, TaskMonitor& monitor);
 
-/// Throws Error naming the file: missing slice, unequal spacing, mixed orientation, truncated pixel data, ...
+/// Loads the volume. Throws Error naming the file: missing slice, unequal spacing, mixed orientation,
+/// truncated pixel data, ...
 volume::Volume loadSeries(const SeriesInfo& series, TaskMonitor& monitor);
 
 /// Anonymous tags of a series to be written (the virtual patient, exports).
@@ -76,7 +78,7 @@ struct SeriesTags {
   std::string patient_id = "FaceNav-Virtual", patient_name = "Virtual^Patient", description = "T1";
   std::string study_date = "20200101";
 };
-/// One file a slice, 16-bit MR Image Storage, axis order and obliquity of the volume kept. Values are
+/// Writes one file a slice, 16-bit MR Image Storage, axis order and obliquity of the volume kept. Values are
 /// rounded. Deterministic UIDs derived from the tags. `folder` must be empty or absent.
 void writeSeries(const volume::Volume& volume, const std::filesystem::path& folder, const SeriesTags& tags);
 

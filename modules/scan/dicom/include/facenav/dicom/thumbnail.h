@@ -16,8 +16,8 @@ struct Thumbnail {
   std::vector<std::uint8_t> grey;
 };
 
-/// The longer side has `side_px` (8 to 1024) pixels. Empty without a readable grey image (reports, colour,
-/// damage): a missing image must not stop a list.
+/// Makes the thumbnail; its longer side has `side_px` (8 to 1024) pixels. nullopt without a readable grey
+/// image (reports, colour, damage): a missing image must not stop a list.
 std::optional<Thumbnail> makeThumbnail(const SeriesInfo& series, int side_px = 128);
 
 }  // namespace facenav::dicom

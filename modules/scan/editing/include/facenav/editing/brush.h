@@ -25,7 +25,7 @@ struct ValueRange {
 
 /// The voxels whose centres are under the brush and whose value differs from `is_brain`.
 MaskChange paint(const volume::Mask& mask, const BrushPath& path, const Brush& brush, bool is_brain);
-/// The same, limited to voxels whose value lies in `range`. `volume` is on the mask's grid.
+/// Limits paint() to voxels whose value lies in `range`. `volume` is on the mask's grid.
 MaskChange paintWithin(const volume::Mask& mask, const volume::Volume& volume, const ValueRange& range,
                        const BrushPath& path, const Brush& brush, bool is_brain);
 

@@ -13,8 +13,7 @@ class MaskAutosave {
  public:
   /// Writes a file completely or not at all. Called on another thread, one call at a time.
   using Write = std::function<void(const volume::Mask&)>;
-  /// Writes `rest_s` after the last change, or `most_s` after the last write if changes go on without a
-  /// pause.
+  /// Saves `rest_s` after the last change, or `most_s` after the last write if changes go on without a pause.
   explicit MaskAutosave(Write write, double rest_s = 2, double most_s = 15);
   /// Waits for a running write; does not start one.
   ~MaskAutosave();

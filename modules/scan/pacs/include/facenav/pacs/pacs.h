@@ -15,7 +15,7 @@ namespace facenav::pacs {
 
 /// TLS as required by PS3.15 B.9 (BCP 195); PEM files.
 struct Tls {
-  std::filesystem::path trusted_certificate;  // of the archive, or of its certificate authority
+  std::filesystem::path trusted_certificate;  // certificate of the archive, or of its certificate authority
   std::filesystem::path certificate, key;     // our own; both empty if the archive does not require it
 };
 
@@ -24,15 +24,16 @@ struct PacsNode {
   int port = 104;
   std::string title = "ANY-SCP";      // the archive's application entity title, 1 to 16 characters
   std::string own_title = "FACENAV";  // our title, as configured in the archive
-  int own_port = 11112;               // the archive sends to it on C-MOVE
+  int own_port = 11112;               // port to which the archive sends on C-MOVE
   int timeout_s = 30;
   std::optional<Tls> tls;
 };
 
-/// C-ECHO. Throws Error in plain words: no answer, title unknown to the archive, ..
+/// Tests the connection by C-ECHO. Throws Error in plain words: no answer, title unknown to the archive, ..
 void echo(const PacsNode& node);
 
-/// Empty fields match anything; * and ? are wildcards; a date is YYYYMMDD or a range YYYYMMDD-YYYYMMDD.
+/// Search criteria. Empty fields match anything; * and ? are wildcards; a date is YYYYMMDD or a range
+/// YYYYMMDD-YYYYMMDD.
 struct PacsQuery {
   std::string patient_id, patient_name, study_date, study_uid, modality = "MR";
 };
@@ -40,7 +41,7 @@ struct PacsQuery {
 struct PacsSeries {
   std::string study_uid, series_uid, study_description, description, modality;
   std::string date;                      // YYYY-MM-DD or empty
-  int images = 0;                        // 0 if the archive does not state it
+  int images = 0;                        // 0 if the archive does not give it
   std::string patient_id, patient_name;  // shown only to a user who asked for it
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 // BrainGrowth: how the brain is grown from white matter to the fluid around it (see brain_refinement.h), and
-// to which sharpness and noise a scan is brought first. Three heads are few: judge a change by `facenav
+// the sharpness and noise to which a scan is brought first. Three heads are few: judge a change by `facenav
 // evaluate prepare` on heads that are not among those named here.
 
 #include "facenav/core/setting.h"

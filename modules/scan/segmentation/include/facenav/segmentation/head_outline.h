@@ -1,5 +1,5 @@
 #pragma once
-// HeadOutline: where the head ends and what lies against it (pads, earphones, haze).
+// HeadOutline: settings for the head's edge and for things that touch it (pads, earphones, haze).
 
 #include "facenav/core/setting.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// PriorUse: how the learned brain prior (Data/brain_prior) is refined by the scan's own intensities, and how
-// far it bounds the growth of brain_growth.h.
+// PriorUse: settings for refining the learned brain prior (Data/brain_prior) by the scan's own intensities,
+// and for bounding the growth of brain_growth.h by it.
 
 #include "facenav/core/setting.h"
 

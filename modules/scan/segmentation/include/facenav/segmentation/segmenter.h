@@ -23,7 +23,7 @@ struct SegmentationResult {
   std::vector<std::string> warnings;  // plain words for the radiographer
   std::vector<BoundaryDoubt> doubts =
       {};                     // evenly spread over the mask's surface; empty: the method gives none
-  std::string contrast = {};  // what the scan looks like, in words: "T1", "CT", ..; empty: not asked
+  std::string contrast = {};  // apparent contrast of the scan as text: "T1", "CT", ..; empty: not determined
 };
 
 class Segmenter {
@@ -34,18 +34,19 @@ class Segmenter {
   virtual SegmentationResult segment(const volume::Volume& volume, TaskMonitor& monitor) const = 0;
 };
 
-/// Filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR and CT. In
-/// an MR without the learned prior's view of air a warning says that pads were not told from skin.
+/// "head": the filled head without inner cavities. The threshold is robust to noise, bias and ghosting. T1 MR
+/// and CT. In an MR without the learned prior's view of air a warning says that pads were not separated from
+/// skin.
 std::unique_ptr<Segmenter> makeHeadSegmenter();
 /// "brain", the default: in a T1 grey and white matter with closed sulci, grown from BET's surface or from
-/// the learned prior, where both agree; else, and in any other contrast of MR, the prior's outline fitted to
-/// the scan (a warning says so); in a CT of the head the prior's outline within the skull. Without the
+/// the learned prior, where both agree; otherwise, and in any other contrast of MR, the prior's outline
+/// fitted to the scan (with a warning); in a CT of the head the prior's outline within the skull. Without the
 /// prior's weights: growth from BET's surface alone, and no brain in a CT. An MR in which the prior sees no
-/// brain: the same growth. A warning says both.
+/// brain: the same growth. Both give a warning.
 std::unique_ptr<Segmenter> makeBrainSegmenter();
 
 /// "prior": the learned brain prior's outline (Data/brain_prior), fitted to the scan; any contrast of MR.
-/// Throws Error also where the weights are missing or damaged.
+/// Throws Error also if the weights are missing or damaged.
 std::unique_ptr<Segmenter> makePriorSegmenter();
 
 }  // namespace facenav::segmentation

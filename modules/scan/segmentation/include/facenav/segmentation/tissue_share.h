@@ -8,11 +8,11 @@
 
 namespace facenav::segmentation {
 
-/// On a RAS grid of cubic voxels (`spacing_mm`) around the brain: 0 in fluid and outside the mask, 1 in
-/// tissue. Between them linear in the bias-corrected intensity, from the mean of fluid to that of grey
-/// matter. Fluid enclosed by tissue (ventricles) counts as tissue, so that the field has inner surfaces only
-/// where ventricles open to the outside. Throws Error for an empty mask, and where grey and white matter do
-/// not differ.
+/// Computes the share on a RAS grid of cubic voxels (`spacing_mm`) around the brain: 0 in fluid and outside
+/// the mask, 1 in tissue. Between them linear in the bias-corrected intensity, from the mean of fluid to that
+/// of grey matter. Fluid enclosed by tissue (ventricles) counts as tissue, so that the field has inner
+/// surfaces only where ventricles open to the outside. Throws Error for an empty mask, and if grey and white
+/// matter do not differ.
 volume::Volume tissueShare(const volume::Volume& mri, const volume::Mask& brain, double spacing_mm,
                            TaskMonitor& monitor);
 

@@ -38,11 +38,11 @@ Direction<Mri> toDirection(const SphericalAngles& angles);
 
 struct BrainModel {
   SphericalMap map;
-  /// Closed. The vertices of seam and poles have several copies at identical positions, each with its own
-  /// texture coordinate.
+  /// Closed mesh. The vertices of seam and poles have several copies at identical positions, each with its
+  /// own texture coordinate.
   TriangleMesh mesh;
-  /// One per vertex, 0..1, origin bottom-left as in VTK: u = (theta + pi) / 2 pi, v = 1 - phi / pi, so that
-  /// the map's row 0 is the image's top row.
+  /// Texture coordinate per vertex, 0..1, origin bottom-left as in VTK: u = (theta + pi) / 2 pi, v = 1 - phi
+  /// / pi, so that the map's row 0 is the image's top row.
   std::vector<Eigen::Vector2f> texture_coordinates;
 };
 
@@ -59,7 +59,8 @@ struct BrainModelOptions {
   }
 };
 
-/// `brain`: a mask on any grid. Throws Error for an empty mask and for options out of range.
+/// Builds the model. `brain`: a mask on any grid. Throws Error for an empty mask and for options out of
+/// range.
 BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& brain,
                            const BrainModelOptions& options, TaskMonitor& monitor);
 /// The mesh of a map: 2-D Delaunay triangulation in the phi-theta plane, closed at seam and poles.
@@ -67,7 +68,7 @@ BrainModel meshOf(const SphericalMap& map);
 /// Writes brain.vtp and brain_texture.png beside it, each whole or not at all.
 void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
                 const std::filesystem::path& texture_png, FileAccess access = FileAccess::by_umask);
-/// Throws Error when a file is missing, damaged, or the two do not belong together.
+/// Reads both files. Throws Error if a file is missing, damaged, or the two do not belong together.
 BrainModel readBrain(const std::filesystem::path& vtp, const std::filesystem::path& texture_png);
 
 }  // namespace facenav::surface

@@ -25,7 +25,8 @@ class ClosestPoint {
   ClosestPoint(ClosestPoint&&) noexcept;
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-  /// `near`: a triangle that is probably close, such as the result for a neighbour; it only saves time.
+  /// Nearest place of the mesh. `near`: a triangle that is probably close, such as the result for a
+  /// neighbour; it only saves time.
   SurfacePoint nearest(const Point<Mri>& p, std::optional<int> near = {}) const;
 
  private:

@@ -11,10 +11,10 @@ namespace facenav::surface {
 
 struct CortexOptions {
   double spacing_mm = 1.0;   // of the grid for the iso-surface
-  int smoothing_steps = 15;  // of the windowed sinc; 0 for none
+  int smoothing_steps = 15;  // steps of the windowed sinc; 0: no smoothing
 };
 
-/// Closed and outward. Throws Error for an empty mask.
+/// Extracts a closed mesh with outward normals. Throws Error for an empty mask.
 TriangleMesh extractCortex(const volume::Mask& brain, const CortexOptions& options, TaskMonitor& monitor);
 
 }  // namespace facenav::surface

@@ -14,16 +14,16 @@
 namespace facenav::surface {
 
 struct DetailedCortex {
-  TriangleMesh mesh;  // closed, outward, Mri mm
-  std::vector<float>
-      distance_mm;  // per vertex, to the phi-theta surface: > 0 outside it, < 0 inside (in a sulcus)
+  TriangleMesh mesh;               // closed, outward, Mri mm
+  std::vector<float> distance_mm;  // distance of each vertex to the phi-theta surface: > 0 outside it, < 0
+                                   // inside (in a sulcus)
 };
 
-/// The 0.5 level of `tissue` (0 outside the brain, 1 inside), its largest part. Throws Error when no value
+/// Largest part of the 0.5 level of `tissue` (0 outside the brain, 1 inside). Throws Error when no value
 /// reaches 0.5.
 TriangleMesh extractCortex(const volume::Volume& tissue, int smoothing_steps, TaskMonitor& monitor);
-/// In both directions, because each hides something: a fold lies far from the model, although every part of
-/// the model lies close to some crown.
+/// Distance in both directions, because each hides something: a fold lies far from the model, although every
+/// part of the model lies close to some crown.
 struct ModelDistance {
   SurfaceDistance cortex_to_model, model_to_cortex;
 };
@@ -32,7 +32,7 @@ ModelDistance distanceBetween(const DetailedCortex& cortex, const BrainModel& mo
 /// cortex.vtp: points, normals, triangles, point data "distance_mm". Whole file or nothing.
 void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp,
                  FileAccess access = FileAccess::by_umask);
-/// Throws Error when the file is missing or damaged.
+/// Reads cortex.vtp. Throws Error if the file is missing or damaged.
 DetailedCortex readCortex(const std::filesystem::path& vtp);
 
 /// Grey values below a surface. Made once per surface (some tenths of a second); greyAt() takes some
@@ -44,13 +44,13 @@ class PeelTexture {
   /// BrainModel. The arguments need not outlive this object.
   PeelTexture(const volume::Volume& mri, const volume::Mask& brain, const TriangleMesh& surface);
 
-  /// One per vertex, 0..255: the MRI `depth_mm` (0..40) below the vertex, trilinear. One grey window for all
-  /// depths (fluid dark, white matter bright).
+  /// Grey value per vertex, 0..255: the MRI `depth_mm` (0..40) below the vertex, trilinear. One grey window
+  /// serves all depths (fluid dark, white matter bright).
   std::vector<std::uint8_t> greyAt(double depth_mm) const;
 
  private:
-  volume::Volume mri_;                      // around the brain
-  std::vector<Eigen::Vector3f> at_, step_;  // voxels, and voxels per mm inwards
+  volume::Volume mri_;                      // MRI around the brain
+  std::vector<Eigen::Vector3f> at_, step_;  // start (voxels) and step (voxels per mm inwards) of each vertex
   float low_ = 0, high_ = 1;
 };
 

@@ -14,7 +14,7 @@ namespace facenav::surface {
 struct FaceLandmark {
   std::string name;  // "nasion", "pronasale", "endocanthion R", ..; R and L are the patient's
   Point<Mri> point;
-  double sd_mm = 1.0;   // along a typical measure
+  double sd_mm = 1.0;   // standard deviation along a typical measure
   bool is_cut = false;  // on the scan's edge
 };
 
@@ -24,11 +24,11 @@ struct FaceLandmarks {
   bool is_circumference_cut = false;
   Direction<Mri> right, front, up;  // the head's own axes
 
-  /// Nothing when it was not found.
+  /// Landmark of that name; nullopt if it was not found.
   std::optional<FaceLandmark> find(const std::string& name) const;
 };
 
-/// Empty when the scalp has no nose. Takes about a second.
+/// Finds the landmarks; empty if the scalp has no nose. Takes about a second.
 FaceLandmarks findFaceLandmarks(const ScalpSurface& scalp);
 
 }  // namespace facenav::surface

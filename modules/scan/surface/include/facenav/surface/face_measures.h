@@ -17,15 +17,15 @@ struct UsualRange {
 struct FaceMeasure {
   std::string name, from, to;  // plain words, then the two landmarks
   double value_mm = 0;
-  double uncertainty_mm = 0;        // 95 of 100 repetitions lie within
-  std::optional<UsualRange> usual;  // adults; nothing where no range is known
+  double uncertainty_mm = 0;        // half width of the interval that contains 95 of 100 repetitions
+  std::optional<UsualRange> usual;  // adult range; nullopt if none is known
   bool is_lower_bound = false;      // an end lies on the scan's edge: the true value may be larger
 
-  /// Within the adult range, allowing for the uncertainty. A lower bound can only be too large.
+  /// True within the adult range, allowing for the uncertainty. A lower bound can only be too large.
   bool isUsual() const;
 };
 
-/// The measures whose landmarks were found. `voxel_mm`: the scan's largest voxel edge.
+/// Measures whose landmarks were found. `voxel_mm`: the scan's largest voxel edge.
 std::vector<FaceMeasure> measureFace(const FaceLandmarks& landmarks, double voxel_mm);
 
 }  // namespace facenav::surface

@@ -10,7 +10,7 @@ namespace facenav::surface {
 struct NamedPlace {
   std::string name;
   Point<Mri> point;
-  double sd_mm = 0;  // standard error of the place along the skin; 0: not known
+  double sd_mm = 0;  // standard error along the skin; 0: unknown
 };
 
 }  // namespace facenav::surface

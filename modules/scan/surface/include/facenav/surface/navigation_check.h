@@ -12,7 +12,7 @@
 namespace facenav::surface {
 
 enum class Verdict { fine, caution, not_usable };
-/// "fine", "caution", "not usable".
+/// Text: "fine", "caution", "not usable".
 std::string toString(Verdict verdict);
 /// Throws Error for any other text.
 Verdict verdictFrom(const std::string& words);
@@ -29,7 +29,7 @@ enum class CheckTopic {
   left_and_right,
   scale
 };
-/// As in navigation_check.json: "face", "wrap-around", "left and right", ..
+/// Name in navigation_check.json: "face", "wrap-around", "left and right", ..
 std::string toString(CheckTopic topic);
 /// Throws Error for any other text.
 CheckTopic topicFrom(const std::string& words);
@@ -50,10 +50,10 @@ struct NavigationCheck {
   Verdict verdict() const;
 };
 
-/// "noise, caution: .. ; ask for ..".
+/// One line: "noise, caution: .. ; ask for ..".
 std::string inWords(const CheckFinding& finding);
 
-/// `head`: the head's mask on the grid of `mri`; `scalp`: its skin. Takes a second or two.
+/// Checks a scan. `head`: the head's mask on the grid of `mri`; `scalp`: its skin. Takes a second or two.
 NavigationCheck checkForNavigation(const volume::Volume& mri, const volume::Mask& head,
                                    const ScalpSurface& scalp);
 

@@ -1,5 +1,5 @@
 #pragma once
-// How far a typed or clicked place lies outside the head. A place far outside is refused instead of being
+// Distance of a typed or clicked place outside the head. A place far outside is refused instead of being
 // moved to the nearest cortex.
 
 #include "facenav/surface/scalp_surface.h"

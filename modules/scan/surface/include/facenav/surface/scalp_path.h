@@ -4,7 +4,7 @@
 // - A geodesic is the shortest way between two points that stays on the skin. It is found as a taut chain:
 //   Dijkstra's way along the mesh's edges is the start; then each point moves to the middle of its neighbours
 //   and back onto the skin, with twice as many points in each round, until they are about 2 mm apart. On a
-//   sphere of 90 mm its length is right within 0.1 % (test; the stated bound is 0.5 %).
+//   sphere of 90 mm its length is right within 0.1 % (tested; the guaranteed bound is 0.5 %).
 // - A tape is pulled tight: it spans hollows (temple, nape, the root of the nose) in the air. In its plane it
 //   is the convex hull of the skin's outline between its ends.
 
@@ -26,14 +26,14 @@ class ScalpPath {
   /// The point at this distance from the start along the line; the ends beyond them.
   Eigen::Vector3d at(double distance_mm) const;
   Eigen::Vector3d atFraction(double fraction) const { return at(fraction * length_mm()); }
-  /// Unit, of the piece at this distance, away from the start.
+  /// Unit direction of the piece at this distance, away from the start.
   Eigen::Vector3d direction(double distance_mm) const;
 
  private:
   std::size_t pieceAt(double distance_mm) const;
 
   std::vector<Eigen::Vector3d> points_mm_;
-  std::vector<double> from_start_mm_;  // of each point, along the line
+  std::vector<double> from_start_mm_;  // distance of each point along the line
 };
 
 /// Measures along one mesh. Thread-safe.
@@ -62,7 +62,7 @@ class ScalpPaths {
 
   TriangleMesh mesh_;
   ClosestPoint skin_;
-  std::vector<int> first_;  // of each vertex in neighbour_; one more at the end
+  std::vector<int> first_;  // first neighbour of each vertex in neighbour_; one more at the end
   std::vector<int> neighbour_;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
-// How far the skin in the MRI can be trusted: where the scan's edge cuts the head, noise and ghosts in the
-// air relative to the skin's signal, tissue wrapped around to the other side. Values only; navigation_check.h
-// judges them.
+// Quality of the skin in the MRI: where the scan's edge cuts the head, noise and ghosts in the air relative
+// to the skin's signal, tissue wrapped around to the other side. Values only; navigation_check.h judges them.
 
 #include <array>
 #include <string>
@@ -14,7 +13,7 @@ namespace facenav::surface {
 /// One side of the scan's box.
 struct ScanSide {
   std::string name;          // "right", "left", "front", "back", "top", "bottom" of the patient
-  double cut_area_mm2 = 0;   // of the head on that side: it is cut there
+  double cut_area_mm2 = 0;   // area of the head cut on that side
   double wrapped_share = 0;  // fraction of the head's cut on the opposite side that shows up as tissue here
 };
 
@@ -31,7 +30,7 @@ struct ScanQuality {
   std::string ghost_direction;  // "left-right", "front-back", "up-down"
 };
 
-/// `scalp`: the skin of `head` in `mri`. Takes less than a second.
+/// Measures the scan. `scalp`: the skin of `head` in `mri`. Takes less than a second.
 ScanQuality measureScan(const volume::Volume& mri, const volume::Mask& head, const TriangleMesh& scalp);
 
 }  // namespace facenav::surface

@@ -11,10 +11,11 @@
 
 namespace facenav::volume {
 
-/// For a VTK XML writer (SetCompressor). Its files name vtkZLibDataCompressor, so every reader accepts them.
+/// Compressor for a VTK XML writer (SetCompressor). Its files name vtkZLibDataCompressor, so every reader
+/// accepts them.
 vtkSmartPointer<vtkDataCompressor> fastCompressor();
 
-/// `size` bytes compressed as the content of a .gz file. Throws Error if memory runs out.
+/// Compresses `size` bytes to the content of a .gz file. Throws Error if memory runs out.
 std::vector<unsigned char> gzipped(const void* bytes, std::size_t size);
 
 }  // namespace facenav::volume

@@ -26,7 +26,7 @@ Mask largestPart(const Mask& mask);
 Mask withoutSpecks(const Mask& mask, std::size_t voxels);
 /// Background that is not connected to the grid's border becomes mask.
 Mask fillHoles(const Mask& mask);
-/// The same for background that is not connected to the voxels `outside` (by index; those inside the mask are
+/// Fills background that is not connected to the voxels `outside` (by index; those inside the mask are
 /// ignored).
 Mask fillHolesFrom(const Mask& mask, const std::vector<std::size_t>& outside);
 

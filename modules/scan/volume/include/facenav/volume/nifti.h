@@ -1,8 +1,8 @@
 #pragma once
 // Reads and writes NIfTI-1 (through niftiio, the reference implementation). World coordinates are RAS mm:
-// from sform if its code is > 0, else from qform. The result states which one was used and whether the two
-// disagree. Lengths stated in metres or micrometres become mm. If they disagree about left and right or about
-// the size of the head, the warning says so; a case keeps it as a finding that its sign-off must acknowledge.
+// from sform if its code is > 0, else from qform. The result contains which one was used and whether the two
+// disagree. Lengths in metres or micrometres become mm. If they disagree about left and right or about the
+// size of the head, the warning reports it; a case keeps it as a finding that its sign-off must acknowledge.
 
 #include <filesystem>
 #include <optional>
@@ -14,24 +14,24 @@
 
 namespace facenav::volume {
 
-/// Which of a file's two voxel-to-world maps to use.
+/// Choice between a file's two voxel-to-world maps.
 enum class NiftiTransform { automatic, sform, qform };
-/// "automatic", "sform", "qform"; throws Error for any other word.
+/// Parses "automatic", "sform", "qform"; throws Error for any other word.
 NiftiTransform niftiTransformNamed(const std::string& name);
 
 struct NiftiRead {
-  Volume volume;         // orientation_source is "sform" or "qform"
-  std::string evidence;  // in words: which map was used, why, and whether the other one agrees
-  std::optional<std::string>
-      warning;                     // sform and qform disagree by more than 0.1 mm somewhere in the grid, ..
+  Volume volume;                       // orientation_source is "sform" or "qform"
+  std::string evidence;                // in words: which map was used, why, and whether the other one agrees
+  std::optional<std::string> warning;  // why the user must check it: sform and qform disagree by more than
+                                       // 0.1 mm somewhere in the grid, ..
   bool is_template_space = false;  // the map used leads to MNI, Talairach or another template, by its code
-  std::string statistic;           // of a statistical map, by its intent: "t", "z", "F", "r", "p"; else empty
+  std::string statistic;           // statistic of a map, by its intent: "t", "z", "F", "r", "p"; else empty
 };
 
 /// The file name endings of NIfTI, for window and command line: ".nii", ".nii.gz", and the two files of a
 /// pair, ".hdr" and ".img" (either one names the pair).
 const std::vector<std::string>& niftiEndings();
-/// Checks the name only; upper or lower case.
+/// True for a NIfTI file name, in upper or lower case; the content is not read.
 bool isNiftiName(const std::filesystem::path& path);
 
 /// Reads any of niftiEndings(), any scalar type, with scl_slope and scl_inter applied.

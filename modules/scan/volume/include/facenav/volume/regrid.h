@@ -10,19 +10,21 @@ namespace facenav::volume {
 Volume toRasOrder(const Volume& volume);
 Mask toRasOrder(const Mask& mask);
 
-/// Trilinear onto `grid` (0 outside). When `grid` is coarser the values are not pre-smoothed.
+/// Resamples trilinearly onto `grid` (0 outside). Values are not pre-smoothed for a coarser `grid`.
 Volume resample(const Volume& volume, const VoxelGrid& grid);
-/// Cubic convolution (Keys 1981, a = -1/2) onto `grid` (0 outside). It keeps edges that trilinear
-/// interpolation between coarse voxels would blur; it may overshoot beside an edge by a few hundredths.
+/// Resamples by cubic convolution (Keys 1981, a = -1/2) onto `grid` (0 outside). It keeps edges that
+/// trilinear interpolation between coarse voxels would blur; it may overshoot beside an edge by a few
+/// hundredths.
 Volume resampleCubic(const Volume& volume, const VoxelGrid& grid);
 /// The voxels of `grid` where the trilinearly interpolated volume (0 outside) is at least `least`.
 Mask resampledAbove(const Volume& volume, float least, const VoxelGrid& grid);
-/// Onto `grid`: a voxel is set if the trilinearly interpolated mask is at least 0.5 there.
+/// Resamples a mask onto `grid`: a voxel is set if the trilinearly interpolated mask is at least 0.5 there.
 Mask resample(const Mask& mask, const VoxelGrid& grid);
 
 /// Axis-aligned RAS grid with cubic voxels that covers `grid`.
 VoxelGrid isotropicGrid(const VoxelGrid& grid, double spacing_mm);
-/// The same around the set voxels, with a margin. Throws Error for an empty mask.
+/// Axis-aligned RAS grid with cubic voxels around the set voxels, with a margin. Throws Error for an empty
+/// mask.
 VoxelGrid gridAround(const Mask& mask, double spacing_mm, double margin_mm);
 
 }  // namespace facenav::volume

@@ -12,7 +12,8 @@ namespace facenav::volume {
 
 enum class Anatomical { axial, coronal, sagittal };
 
-/// Image pixel (u, v) with u right and v down lies at origin + spacing * (u * right + v * down), Mri mm.
+/// A plane: image pixel (u, v) with u right and v down lies at origin + spacing * (u * right + v * down), Mri
+/// mm.
 struct SlicePlane {
   Point<Mri> origin;  // centre of the top-left pixel
   Direction<Mri> right, down;
@@ -39,9 +40,9 @@ struct SliceNumber {
 };
 SliceNumber sliceNumber(const VoxelGrid& grid, const SlicePlane& plane);
 
-/// Row-major values, width x height, trilinear; 0 outside the volume.
+/// Samples a volume trilinearly: row-major values, width x height; 0 outside the volume.
 std::vector<float> sampleSlice(const Volume& volume, const SlicePlane& plane);
-/// Row-major 0/1, nearest voxel.
+/// Samples a mask by its nearest voxel: row-major 0/1.
 std::vector<std::uint8_t> sampleSlice(const Mask& mask, const SlicePlane& plane);
 
 }  // namespace facenav::volume

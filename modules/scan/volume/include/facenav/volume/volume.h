@@ -30,7 +30,7 @@ struct Mask {
 
 /// Trilinear value at continuous voxel coordinates; `outside` beyond the outermost voxel centres.
 float sampleLinear(const Volume& volume, const Eigen::Vector3d& ijk, float outside = 0.f);
-/// Likewise, 0 to 1.
+/// Trilinear value of a mask, 0 to 1.
 float sampleLinear(const Mask& mask, const Eigen::Vector3d& ijk, float outside = 0.f);
 /// The value of the voxel that contains `p`; nullopt outside the volume.
 std::optional<float> valueAt(const Volume& volume, const Point<Mri>& p);

@@ -31,7 +31,7 @@ struct VoxelGrid {
   Point<Mri> toMri(const Eigen::Vector3d& ijk) const { return Point<Mri>(mri_from_voxel * ijk); }
   Eigen::Vector3d toVoxel(const Point<Mri>& p) const { return mri_from_voxel.inverse() * p.mm; }
   Point<Mri> centre() const;
-  /// Same size and the same affine within 1e-3 mm over the whole grid.
+  /// True for the same size and the same affine within 1e-3 mm over the whole grid.
   bool matches(const VoxelGrid& other) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 // Conversion to VTK: vtkImageData in voxel coordinates (spacing 1, origin 0), with mri_from_voxel as a matrix
-// for the actor or the points. So obliquity and flips need no support from VTK.
+// for the actor or the points. VTK then needs no support for obliquity and flips.
 
 #include <vtkSmartPointer.h>
 
