@@ -37,8 +37,7 @@ struct AlignmentOutcome {
   head_tracking::HeadReference
       reference;                // for the head tracker: plain frame, inlier points with their pixels
   bool is_marker_seen = false;  // a marker of known size measures the cameras' turn since the calibration
-  bool is_marker_contradicted = false;  // both cameras see the marker, but it fits neither their calibration
-                                        // nor its size
+  bool is_marker_contradicted = false;  // seen, but it fits neither calibration nor size
   // Standard error and 95th percentile of the error, by target, of the coil held there against the head. They
   // assume that a camera that turned before the capture moves head and coil alike.
   std::map<std::string, double> predicted_tre_mm, predicted_tre_p95_mm;

@@ -19,8 +19,7 @@ struct NewOverlay {
   std::optional<casefile::OverlaySpace> space;
   std::string name;  // empty: "map 1", "tracts 2", since a file's name may be a patient's
   double opacity = 0.7;
-  std::optional<double> threshold, full;  // of a map; absent: 95th percentile and maximum of its absolute
-                                          // values
+  std::optional<double> threshold, full;  // of a map; absent: 95th percentile and maximum of |value|
 };
 
 /// Reads and checks the file, and stores a copy with the case. A NIfTI whose values are 0 and one other is a
