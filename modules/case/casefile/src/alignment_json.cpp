@@ -20,7 +20,7 @@ double atLeastZero(const JsonReader& json) {
 const char* const kCovariance = "pose_covariance_deg_mm";
 const char* const kFreedom = "pose_freedom";
 
-/// For (rotation, translation): files hold degrees, the program radians.
+/// Factors for (rotation, translation): files use degrees, the program radians.
 Vector6d degreesPerRadian() {
   Vector6d units;
   units << Eigen::Vector3d::Constant(kDegPerRad), Eigen::Vector3d::Ones();

@@ -15,19 +15,19 @@ constexpr int kSchemaVersion = 1;
 struct CaseJson {
   std::string case_id, created_utc;
   std::string label;                         // empty: none; the key is then left out
-  std::string modality, orientation_source;  // of the MRI; NIfTI cannot hold them
-  std::vector<std::string> files;            // that must exist, relative to the case
+  std::string modality, orientation_source;  // of the MRI; NIfTI cannot store them
+  std::vector<std::string> files;            // files that must exist, relative to the case
   std::vector<std::string> findings;
   std::vector<Provenance> provenance;
   std::optional<BrainQuality> brain_quality;
 };
 
-/// Throws Error naming file and key. Another schema version is refused, and the error says what to do.
+/// Reads case.json. Throws Error naming file and key, or, for another schema version, what to do.
 CaseJson readCaseJson(const std::filesystem::path& path);
 void writeCaseJson(const CaseJson& content, const std::filesystem::path& path);
-/// Settings that differed from the defaults, by key, including those that this version does not know.
+/// Reads the settings that differ from the defaults, by key, including those that this version does not know.
 SettingValues readSettings(const JsonReader& json);
-/// 16 random hex digits.
+/// Makes an id of 16 random hex digits.
 std::string makeCaseId();
 
 }  // namespace facenav::casefile

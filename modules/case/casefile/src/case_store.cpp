@@ -103,8 +103,8 @@ bool isSameScan(const volume::Volume& old, const volume::Volume& fresh) {
   return (n * sum_ab - sum_a * sum_b) / spread > kSame;
 }
 
-/// Hard-links the files: recordings are large, and the swap stays atomic. Copies them where the disk has no
-/// hard links.
+/// Hard-links the files: recordings are large, and the swap stays atomic. Copies them if the disk has no hard
+/// links.
 void keepFolder(const fs::path& old_folder, const fs::path& fresh) {
   if (!fs::is_directory(old_folder)) return;
   std::error_code fault;
@@ -114,7 +114,7 @@ void keepFolder(const fs::path& old_folder, const fs::path& fresh) {
   fs::copy(old_folder, fresh, fs::copy_options::recursive);
 }
 
-/// Takes over targets, protocol, coil, landmarks and overlays (of the same scan), sessions and threshold
+/// Copies targets, protocol, coil, landmarks and overlays (of the same scan), sessions and threshold
 /// searches.
 void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::Volume& mri) {
   for (const char* file : {"targets.json", "protocol.json", "coil.json"})

@@ -11,7 +11,7 @@ namespace {
 constexpr char kInForce[] = "brain_mask.nii.gz", kAutomatic[] = "brain_mask_auto.nii.gz",
                kDraft[] = "brain_mask_draft.nii.gz";
 
-/// Written whole: an interrupted copy leaves no file under the final name.
+/// Copies the automatic mask. Written whole: an interrupted copy leaves no file under the final name.
 void keepAutomatic(const CaseStore& store) {
   if (hasEditedBrainMask(store)) return;
   writeWholeFile(store.folder() / kAutomatic, readWholeFile(store.folder() / kInForce),

@@ -14,7 +14,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
-/// True for dangling links too.
+/// True if the path exists, dangling links included.
 bool isThere(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
 }  // namespace

@@ -20,10 +20,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// An alignment is written within seconds. After this time nobody writes it any more, on whatever machine.
+// Age after which no machine still writes the group: an alignment is written within seconds.
 constexpr auto kSurelyOver = 24h;
 
-/// Of this machine since it was started; empty where the system does not say.
+/// Id of this machine's current boot; empty if the system gives none.
 std::string thisBoot() {
   std::string id;
   std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
@@ -32,7 +32,7 @@ std::string thisBoot() {
 
 bool hasProcessEnded(long process) { return ::kill(pid_t(process), 0) != 0 && errno == ESRCH; }
 
-/// True if neither the folder nor new/ or old/ in it has changed for that long.
+/// True if neither the folder nor new/ or old/ in it has changed for kSurelyOver.
 bool isOld(const fs::path& group) {
   const auto now = fs::file_time_type::clock::now();
   for (const fs::path& place : {group, group / "new", group / "old"}) {
@@ -48,7 +48,7 @@ bool isAbandoned(const fs::path& group, const GroupMaker& maker) {
   return (is_from_here && hasProcessEnded(maker.process)) || isOld(group);
 }
 
-/// True if old/ holds a file or folder that is not in its place in the case.
+/// True if old/ contains a file or folder that is missing in the case.
 bool holdsAnOnlyCopy(const fs::path& group) {
   std::error_code fault;
   for (const auto& entry : fs::directory_iterator(group / "old", fault))

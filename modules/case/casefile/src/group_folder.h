@@ -9,26 +9,26 @@
 
 namespace facenav::casefile {
 
-/// A name that no other group of this machine has.
+/// Makes a name that no other group of this machine has.
 std::string newGroupName();
 
-/// What a group folder's name says of the program that made it.
+/// Program that made a group folder, as encoded in the folder's name.
 struct GroupMaker {
   long process = 0;
-  std::string boot;  // of the machine, 8 hex digits: other at each start; empty: not given
+  std::string boot;  // the machine's boot id, 8 hex digits, new at each start; empty: not given
 };
-/// nullopt: not the name of a group folder.
+/// Parses a folder's name; nothing if it is not the name of a group folder.
 std::optional<GroupMaker> makerOf(const std::string& folder_name);
 
-/// Holds the lock on a group folder, as far as the file system has locks.
+/// Lock on a group folder, if the file system supports locks.
 class GroupLock {
  public:
-  /// Does not wait.
+  /// Tries to take the lock without waiting.
   explicit GroupLock(const std::filesystem::path& group_folder);
   ~GroupLock();
   GroupLock(const GroupLock&) = delete;
   GroupLock& operator=(const GroupLock&) = delete;
-  /// False: another group holds it, or the file system has no locks.
+  /// False if another group has the lock, or the file system has no locks.
   bool isHeld() const { return is_held_; }
 
  private:

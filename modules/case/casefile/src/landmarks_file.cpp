@@ -60,7 +60,7 @@ std::optional<surface::ScalpLandmarks> readLandmarks(const fs::path& case_folder
   for (const JsonReader& json : JsonReader::readFile(landmarksFile(case_folder)).at("landmarks").elements()) {
     const std::string name = json.at("name").text();
     for (const surface::Landmark which : surface::kLandmarks)
-      if (toString(which) == name) landmarks[which] = readLandmark(json);  // others may know more names
+      if (toString(which) == name) landmarks[which] = readLandmark(json);  // other tools may add names
   }
   return landmarks;
 }

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 fs::path protocolFile(const fs::path& case_folder) { return case_folder / "protocol.json"; }
 
-/// Its own words, and whether they fit: a protocol is named by people.
+/// Throws Error for a protocol without a name or a positive version.
 void requireNamed(const Protocol& protocol) {
   if (protocol.name.empty()) throw Error("a protocol needs a name", {}, "give one");
   if (protocol.version < 1) throw Error("a protocol's version starts at 1", {}, "give 1, 2, ..");

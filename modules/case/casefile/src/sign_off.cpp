@@ -125,7 +125,7 @@ std::string toString(CaseState state) {
   return {};
 }
 
-/// What a person looks at: the outlines of the masks and the surfaces made from them.
+/// Hashes of what a person looks at: the outlines of the masks and the surfaces made from them.
 std::map<std::string, std::string> seenFiles(const CaseStore& store) {
   std::map<std::string, std::string> seen;
   for (const char* name : {"head_mask.nii.gz", "brain_mask.nii.gz", "scalp.vtp", "brain.vtp"})

@@ -5,7 +5,7 @@
 
 namespace facenav::casefile {
 
-/// Now, as 20100412T134501Z.
+/// Returns the current time as 20100412T134501Z.
 std::string utcNow();
 
 }  // namespace facenav::casefile

@@ -18,7 +18,7 @@ Cell cellOf(const Eigen::Vector3d& p_mm, double edge_mm) {
   return {int(at.x()), int(at.y()), int(at.z())};
 }
 
-/// The mesh with the vertices of each cube joined into their mean.
+/// Joins the vertices of each cube into their mean.
 surface::TriangleMesh thinnedSkin(const surface::TriangleMesh& mesh, double edge_mm) {
   surface::TriangleMesh thin;
   std::map<Cell, int> cells;

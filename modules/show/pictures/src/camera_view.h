@@ -20,23 +20,24 @@ struct CameraView {
   Eigen::Isometry3d view_T_camera;
   double unit;  // scale of line widths and letters: 1 at 480 rows
 
-  /// In 1/16 px, for cv's drawing with shift 4; nothing behind the camera or far outside.
+  /// Projects a point; in 1/16 px, for cv's drawing with shift 4. Nothing if behind the camera or far
+  /// outside.
   std::optional<cv::Point> toPixel(const Eigen::Vector3d& p_camera_mm) const;
   static cv::Point fixed(const Eigen::Vector2d& px);
   int thickness(double width) const;
 };
 
-/// `grey`: 8-bit, 1 channel.
+/// Makes a view. `grey`: 8-bit, 1 channel.
 CameraView makeView(const cv::Mat& grey, const cameras::CameraModel& camera,
                     const Eigen::Isometry3d& view_T_camera);
 void polyline(CameraView& view, const std::vector<cv::Point>& points, bool is_closed,
               const cv::Scalar& colour, double width);
 void drawLine(CameraView& view, const Eigen::Vector3d& a_mm, const Eigen::Vector3d& b_mm,
               const cv::Scalar& colour, double width);
-/// A ring on the skin, and a line to the cortex.
+/// Draws a ring on the skin and a line to the cortex.
 void drawTarget(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri,
                 const guidance::Target& target);
-/// The coil's axis, from above the plate into the head.
+/// Draws the coil's axis, from above the plate into the head.
 void drawAxis(CameraView& view, const RigidTransform<Camera, Coil>& camera_T_coil);
 void drawCaption(CameraView& view, const std::string& words, bool is_lost);
 

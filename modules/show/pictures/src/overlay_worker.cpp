@@ -40,7 +40,7 @@ struct OverlayWorker::Implementation {
   void run();
 };
 
-// A failure on this thread must not end the program.
+// Catches all failures, because one on this thread must not end the program.
 std::shared_ptr<DrawnOverlay> OverlayWorker::Implementation::drawn(const OverlayOrder& order) const {
   auto picture = std::make_shared<DrawnOverlay>();
   picture->state = order.state;

@@ -21,7 +21,7 @@ std::vector<SkinView> planViews() {
           {"behind", r, -u, -f}};
 }
 
-/// A place of the skin is seen where its skin faces the viewer.
+/// True if the skin at the point faces the viewer.
 bool isPlaceSeen(const SkinView& view, const surface::ClosestPoint& skin, const Point<Mri>& p) {
   constexpr double kLeast = 0.25;
   return skin.nearest(p).normal.v.dot(view.toward) > kLeast;
@@ -33,7 +33,7 @@ void drawPlaces(SkinCanvas& canvas, const surface::ClosestPoint& skin, const std
     if (isPlaceSeen(canvas.view, skin, place.point)) drawDot(canvas, place.point.mm, place.name, colour);
 }
 
-/// What is drawn of a target: a target that a grid made is a dot, unless it is the active one.
+/// A target and how it is drawn: a target of a grid is a dot, unless it is the active one.
 struct DrawnTarget {
   bool is_whole, is_named;
 };
@@ -42,7 +42,7 @@ DrawnTarget drawnAs(const guidance::Target& target, const std::string& active) {
   return {!target.grid_place || is_active, active.empty() ? !target.grid_place : is_active};
 }
 
-/// The plate's outline at the contact face, a line along the handle, and the axis' place on the skin.
+/// Draws the plate's outline at the contact face, a line along the handle, and the axis' point on the skin.
 void drawPlannedCoil(SkinCanvas& canvas, const guidance::Target& target, const guidance::CoilPlate& plate,
                      const DrawnTarget& drawn) {
   drawDot(canvas, target.scalp_point.mm, drawn.is_named ? target.name : std::string(), kTarget);

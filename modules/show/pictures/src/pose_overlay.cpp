@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kHandleEnd_mm = 110;
 
-/// The rim of the scalp's silhouette as one camera sees it: the mesh is filled on an empty picture, and the
-/// edge of that is drawn. So hidden folds of the mesh leave no lines.
+/// Draws the outline of the scalp's silhouette: fills the mesh on an empty picture and draws its edge, so
+/// that hidden folds leave no lines.
 void drawScalp(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri,
                const surface::TriangleMesh& scalp) {
   std::vector<std::optional<cv::Point>> px(scalp.vertices_mm.size());
@@ -34,7 +34,7 @@ void drawScalp(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri
   cv::drawContours(view.image, rims, -1, kBlue, view.thickness(1.2), cv::LINE_AA);
 }
 
-/// The plate's outline on the contact face, the handle behind it, and the axis.
+/// Draws the plate's outline on the contact face, the handle behind it, and the axis.
 void drawCoil(CameraView& view, const RigidTransform<Camera, Coil>& camera_T_coil,
               const guidance::CoilPlate& plate) {
   std::vector<cv::Point> outline;

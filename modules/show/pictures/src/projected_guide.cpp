@@ -16,7 +16,7 @@ namespace {
 
 const cv::Scalar kGuideWhite(255, 255, 255), kGuideBlue(90, 185, 255), kGuideOrange(255, 150, 20);  // R, G, B
 constexpr double kLine_mm = 2.0, kThin_mm = 1.2, kStep_mm = 2.0, kHandle_mm = 110, kArrow_mm = 34;
-constexpr double kLit_mm = 6.0;  // skin this far behind what the projector hits first is still lit
+constexpr double kLit_mm = 6.0;  // skin this far behind the first skin on the ray is still lit
 constexpr int kLitStep_px = 2, kShift = 4;
 
 using Line = std::vector<Eigen::Vector2d>;  // in the target's plane, mm
@@ -31,7 +31,7 @@ Line circle(double radius_mm) {
   return line;
 }
 
-/// Points along a line no farther apart than kStep_mm, so that it follows the skin.
+/// Returns points along a line, no farther apart than kStep_mm, so that it follows the skin.
 Line fine(const Line& corners) {
   Line line;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -60,11 +60,11 @@ struct ProjectedGuide::Implementation {
   cameras::ProjectorModel projector;
   AlignedSkin skin;
   guidance::CoilPlate plate;
-  std::optional<guidance::Target> target;  // that `under` belongs to
+  std::optional<guidance::Target> target;  // target of `under`
   std::optional<SkinUnder> under;
   double ring_lit = 0;
 
-  /// One frame's picture while it is drawn.
+  /// State of one frame's picture while it is drawn.
   struct Canvas {
     cv::Mat image;
     Eigen::Isometry3d projector_T_target;
@@ -79,8 +79,8 @@ struct ProjectedGuide::Implementation {
   void drawWay(Canvas& canvas, const guidance::GuidanceState& state) const;
 };
 
-/// The projector's pixel for a place of the target's plane, laid on the head; nothing where there is no head,
-/// or where the projector's light hits something else before.
+/// Projector pixel of a point of the target's plane, placed on the head. Nothing where there is no head, or
+/// where something else blocks the projector's light.
 std::optional<Eigen::Vector2d> ProjectedGuide::Implementation::lit(const Canvas& canvas,
                                                                    const Eigen::Vector2d& p_mm) const {
   const auto depth_mm = under->depth_mm(p_mm.x(), p_mm.y());
@@ -117,7 +117,7 @@ void ProjectedGuide::Implementation::stroke(Canvas& canvas, const Line& line, co
   }
 }
 
-/// Outside the ring on the coil's side, pointing at the target.
+/// Draws an arrow outside the ring, on the coil's side, that points at the target.
 void ProjectedGuide::Implementation::drawArrow(Canvas& canvas, const Eigen::Vector2d& coil_mm,
                                                double ring_mm) const {
   const Eigen::Vector2d back = coil_mm.normalized(), aside(-back.y(), back.x());
@@ -127,7 +127,7 @@ void ProjectedGuide::Implementation::drawArrow(Canvas& canvas, const Eigen::Vect
     stroke(canvas, fine({tip, tip + 12 * back + side * 9 * aside}), kGuideOrange, 1.5 * kLine_mm);
 }
 
-/// Outline and handle of the coil's place, and the ring round the target.
+/// Draws outline and handle of the coil's planned position, and the ring round the target.
 void ProjectedGuide::Implementation::drawPlace(Canvas& canvas, bool is_on_target) const {
   const cv::Scalar colour = is_on_target ? kGuideBlue : kGuideWhite;
   stroke(canvas, closed(plate.outline_mm), colour, kThin_mm);

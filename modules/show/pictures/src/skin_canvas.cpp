@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kCanvasPixelsPerMm = 2.0;
 
-/// Shaded triangles, far ones drawn first.
+/// Draws shaded triangles, far ones first.
 void drawFacets(SkinCanvas& canvas, const surface::TriangleMesh& mesh) {
   struct Facet {
     double depth_mm;

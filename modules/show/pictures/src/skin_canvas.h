@@ -1,6 +1,6 @@
 #pragma once
-// The skin drawn by itself, without a screen: shaded triangles seen along a direction, far ones first. Marks
-// and words are drawn over it with OpenCV. Private to pictures.
+// Draws the skin without a screen: shaded triangles seen along a direction, far ones first. Marks and words
+// are drawn over it with OpenCV. Private to pictures.
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -26,9 +26,9 @@ struct SkinCanvas {
   cv::Point at(const Eigen::Vector3d& p_mm) const;
 };
 
-/// The upper `height_mm` of the skin, with a margin.
+/// Draws the upper `height_mm` of the skin, with a margin.
 SkinCanvas drawSkin(const SkinView& view, const surface::TriangleMesh& mesh, double height_mm = 260);
-/// A dot with a word beside it.
+/// Draws a dot with a word beside it.
 void drawDot(SkinCanvas& canvas, const Eigen::Vector3d& p_mm, const std::string& word,
              const cv::Scalar& colour);
 void drawTitle(SkinCanvas& canvas);

@@ -28,7 +28,7 @@ SkinDepth::SkinDepth(const surface::TriangleMesh& mesh, const Eigen::Isometry3d&
   for (const auto& triangle : mesh.triangles) draw(triangle);
 }
 
-/// 1 / depth is linear over the picture of a triangle.
+/// Draws a triangle; 1 / depth is linear over its picture.
 void SkinDepth::draw(const Eigen::Vector3i& triangle) {
   Eigen::Vector2d at[3];
   double inverse[3];

@@ -10,7 +10,7 @@
 namespace facenav::pictures {
 namespace {
 
-/// R, G, B of a signed residual in -1 .. 1: blue, white, orange.
+/// Colour (R, G, B) of a signed residual in -1 .. 1: blue, white, orange.
 cv::Vec3b colourOf(double share) {
   const cv::Vec3d blue(40, 120, 255), white(245, 245, 245), orange(255, 120, 0);
   const double t = std::clamp(std::abs(share), 0.0, 1.0);

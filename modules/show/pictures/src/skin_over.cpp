@@ -9,13 +9,13 @@ namespace facenav::pictures {
 namespace {
 
 constexpr int kDepthStep_px = 2;
-// At the rim the skin runs along the line of sight, so that its depth is uncertain there.
+// Slack of the depth test. At the rim the skin runs along the line of sight, so its depth is uncertain there.
 constexpr double kRimSlack_mm = 5.0, kDotSlack_mm = 3.0;
 constexpr double kOutside_px = 1.5 * kDepthStep_px;
-constexpr double kLeastFacing = 0.3;  // cosine; points at the rim would crowd
+constexpr double kLeastFacing = 0.3;  // cosine; hides the crowded points at the rim
 
-/// Where the view grazes the smooth surface: the normals' slope towards the eye is interpolated over each
-/// triangle (Hertzmann & Zorin 2000), and the line where it is 0 is taken.
+/// Computes where the view grazes the smooth surface: the normals' slope towards the eye is interpolated over
+/// each triangle (Hertzmann & Zorin 2000), and the contour is the line where it is 0.
 std::vector<ContourPiece> contourOf(const surface::TriangleMesh& mesh, const Eigen::Matrix3d& turn,
                                     const SkinDepth& depth) {
   std::vector<double> facing;
@@ -34,8 +34,8 @@ std::vector<ContourPiece> contourOf(const surface::TriangleMesh& mesh, const Eig
       depth_mm += 0.5 * ((1 - share) * depth.point_mm(a).z() + share * depth.point_mm(b).z());
     }
     if (found < 2 || !ends[0].allFinite() || !ends[1].allFinite()) continue;
-    // Just outside the rim: on it, the map shows the skin before it, which is nearer by centimetres on a
-    // ball.
+    // Tests a point just outside the rim: on the rim, the map contains skin in front of it, by centimetres on
+    // a sphere.
     const Eigen::Vector3d normal = turn * (mesh.normals[std::size_t(t[0])] + mesh.normals[std::size_t(t[1])] +
                                            mesh.normals[std::size_t(t[2])]);
     const Eigen::Vector2d outside = kOutside_px * normal.head<2>().normalized();

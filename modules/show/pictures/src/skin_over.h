@@ -7,7 +7,7 @@
 namespace facenav::pictures {
 
 void drawSkinOver(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri, const AlignedSkin& skin);
-/// The coil's tip, or a picked spot: a ring with a cross.
+/// Draws the coil's tip, or a picked spot: a ring with a cross.
 void drawTip(CameraView& view, const Point<Camera>& tip, const cv::Scalar& colour);
 
 }  // namespace facenav::pictures

@@ -12,7 +12,7 @@ constexpr int kSide = int(2 * SkinUnder::kReach_mm / SkinUnder::kCell_mm) + 1;
 
 double turned(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Linear over the triangle; the skin nearest to the plane's outside stays.
+/// Draws a triangle's depth, linear over it; keeps the outermost skin.
 void layTriangle(const Eigen::Vector3d corners[3], cv::Mat& depth_mm) {
   Eigen::Vector2d at[3];
   for (int i = 0; i < 3; ++i)

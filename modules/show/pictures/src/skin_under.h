@@ -1,6 +1,6 @@
 #pragma once
-// SkinUnder: how deep the skin lies under each place of a target's plane, so that figures can be laid on the
-// head. Private to pictures.
+// SkinUnder: depth of the skin under each point of a target's plane, to draw figures on the head. Private to
+// pictures.
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -12,8 +12,8 @@ namespace facenav::pictures {
 
 class SkinUnder {
  public:
-  /// `plane_T_mri`: the skin in the plane's frame, its +z into the head. Only skin that faces the plane
-  /// counts.
+  /// Computes the depths. `plane_T_mri`: Mri in the plane's frame, whose +z points into the head. Only skin
+  /// that faces the plane is used.
   SkinUnder(const surface::TriangleMesh& skin, const Eigen::Isometry3d& plane_T_mri);
   /// Depth of the skin at (x, y) of the plane, mm along z; nothing where there is none.
   std::optional<double> depth_mm(double x_mm, double y_mm) const;

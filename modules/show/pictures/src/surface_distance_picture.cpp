@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDistancePixelsPerMm = 2.0;
-constexpr int kFiner = 2;    // drawn at this scale, then averaged
+constexpr int kFiner = 2;    // scale of drawing before averaging
 constexpr int kDisc_px = 2;  // half width of a vertex' square; vertices are up to 1.4 mm apart
 constexpr int kMargin_px = 12, kTitle_px = 16, kLegendHeight_px = 74;
 
@@ -35,7 +35,7 @@ const std::array<BrainSide, 6>& views() {
   return all;
 }
 
-/// Draws vertices as small squares shaded by their normals; the nearest to the viewer wins.
+/// Draws vertices as small squares shaded by their normals; the one nearest to the viewer is visible.
 cv::Mat drawn(const BrainSide& view, const surface::DetailedCortex& cortex,
               const std::vector<cv::Vec3b>& colours) {
   const auto& mesh = cortex.mesh;

@@ -8,7 +8,7 @@
 
 namespace facenav::pictures {
 
-/// `image`: 8-bit, 3 channels, R G B.
+/// Converts `image`: 8-bit, 3 channels, R G B.
 inline RgbImage toRgb(const cv::Mat& image) {
   RgbImage out(image.cols, image.rows);
   for (int v = 0; v < image.rows; ++v)

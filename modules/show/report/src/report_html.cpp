@@ -15,7 +15,7 @@ constexpr const char* kStyle =
     "tr,svg,img{break-inside:avoid}svg,img{margin:.4em .6em .4em 0}img{max-width:100%}"
     "@media print{body{font-size:11px;margin:0;padding:0}}";
 
-/// RFC 4648.
+/// Encodes bytes in base64 (RFC 4648).
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

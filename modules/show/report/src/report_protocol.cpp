@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kNotStated = "not stated";
 constexpr const char* kNothingRecorded = "not recorded";
-constexpr double kTrainPause_s = 1.5;  // without a plan, pulses further apart begin another train
-// What a reader would call another frequency or intensity: stimulators are set in 0.1 Hz and whole %.
+constexpr double kTrainPause_s = 1.5;  // without a plan, a longer pause begins another train
+// Tolerances for equal frequency and intensity: stimulators are set in 0.1 Hz and whole %.
 constexpr double kSameFrequency = 0.05, kSameOutput_pct = 1.0;
 
 std::optional<casefile::Protocol> planOf(const casefile::CaseStore& store,
@@ -25,14 +25,14 @@ std::optional<casefile::Protocol> planOf(const casefile::CaseStore& store,
   return casefile::protocolOf(store.folder());
 }
 
-/// As given, from the times of the pulses that are not excluded.
+/// Rhythm given, from the times of the pulses that are not excluded.
 struct Rhythm {
   int pulses = 0, trains = 0, on_target = 0;
   std::optional<double> frequency_hz, pause_s;  // medians
   std::vector<double> outputs_pct;
 };
 
-/// Between the step within a train and the pause after it.
+/// Threshold between the step within a train and the pause after it.
 double trainPause_s(const std::optional<casefile::Protocol>& plan) {
   if (!plan || !(plan->dose.frequency_hz > 0) || plan->dose.trains < 2) return kTrainPause_s;
   return 0.5 * (1.0 / plan->dose.frequency_hz + plan->dose.pause_s);
@@ -81,7 +81,7 @@ std::string countWords(const guidance::Dose& plan, const Rhythm& given) {
   return words + formatted(". %d of them were on target.", given.on_target);
 }
 
-/// What else was not as planned, in words.
+/// Describes the other differences from the plan.
 std::string differenceWords(const guidance::Dose& plan, const Rhythm& given) {
   std::string words;
   const auto add = [&](const std::string& what) { words += (words.empty() ? "" : "; ") + what; };
@@ -122,7 +122,7 @@ std::string trainWords(const casefile::CaseStore& store, const casefile::KeptSes
   std::optional<casefile::Protocol> plan;
   try {
     plan = planOf(store, session);
-  } catch (const Error&) {  // protocolPart says so
+  } catch (const Error&) {  // protocolPart reports it
   }
   const Rhythm given = rhythmOf(session, trainPause_s(plan));
   if (!given.frequency_hz)

@@ -1,6 +1,6 @@
 #pragma once
-// The protocol against what was given: pulses, trains, frequency, pauses and intensity. The plan is the one
-// that the session kept when it began (protocol.json in its folder), else the case's of today.
+// Compares the protocol with what was given: pulses, trains, frequency, pauses and intensity. The plan is the
+// one stored with the session at its begin (protocol.json in its folder), else the case's current one.
 
 #include <string>
 
@@ -9,9 +9,9 @@
 
 namespace facenav::report {
 
-/// "10 trains, 20.0 pulses each on average, 10.0 Hz, pauses of 25.0 s (medians)".
+/// Returns "10 trains, 20.0 pulses each on average, 10.0 Hz, pauses of 25.0 s (medians)".
 std::string trainWords(const casefile::CaseStore& store, const casefile::KeptSession& session);
-/// A table and its words; empty without a protocol. Damaged: that is said.
+/// Returns a table and its words; empty without a protocol. A damaged protocol is reported.
 std::string protocolPart(const casefile::CaseStore& store, const casefile::KeptSession& session);
 
 }  // namespace facenav::report

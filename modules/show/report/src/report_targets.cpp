@@ -18,7 +18,8 @@ struct UsedTarget {
   int pulses = 0;
 };
 
-/// One entry per name and pose, in the order of their first pulse: a moved target gets a new entry.
+/// Lists the targets, one entry per name and pose, in the order of their first pulse: a moved target gets a
+/// new entry.
 std::vector<UsedTarget> usedTargets(const casefile::KeptSession& session) {
   std::vector<UsedTarget> used;
   for (const auto& [pulse, is_excluded, note] : session.pulses.pulses) {
@@ -39,7 +40,7 @@ std::string pointWords(const Eigen::Vector3d& p_mm) {
   return formatted("%.1f %.1f %.1f", p_mm.x(), p_mm.y(), p_mm.z());
 }
 
-/// The value of `read`, or "not known" where the case lacks what it needs.
+/// Value of `read`, or "not known" if the case lacks what it needs.
 template <class Read>
 std::string known(Read read) {
   try {

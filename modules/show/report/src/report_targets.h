@@ -1,5 +1,5 @@
 #pragma once
-// The targets that a session's pulses were given at, as they were then.
+// Lists the targets of a session's pulses, as they were then.
 
 #include <string>
 

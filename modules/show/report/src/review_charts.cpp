@@ -22,7 +22,7 @@ ChartShape words(double x, double y, Anchor anchor, const std::string& text, boo
   return {Kind::words, Ink::words, x, y, 0, 0, text, anchor, is_bold};
 }
 
-/// 1, 2 or 5 times a power of ten, for about `count` ticks.
+/// Step of 1, 2 or 5 times a power of ten, for about `count` ticks.
 double tickStep(double range, int count) {
   const double raw = range / count, power = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -30,7 +30,7 @@ double tickStep(double range, int count) {
   return 10.0 * power;
 }
 
-/// A plot's inner rectangle, and where its values lie on the page.
+/// Inner rectangle of a plot, with the mapping of its values to the page.
 struct Plot {
   double low_x, high_x, low_y, high_y;
   double left, top, width, height;
@@ -117,7 +117,7 @@ Chart histogram(const std::string& title, const std::string& x_label, const std:
   return chart;
 }
 
-/// What its numbers are stated to.
+/// Smallest step of the column's numbers.
 double finestOf(PulseColumn column) { return wordsOf(column).decimals > 0 ? 0.1 : 1.0; }
 
 std::string labelOf(PulseColumn column) {
@@ -177,7 +177,7 @@ Chart placesChart(const std::string& title, const std::vector<PlacedPulse>& puls
   chart.shapes.push_back(line(cx - half, cy, cx + half, cy, Ink::grid));
   chart.shapes.push_back(line(cx, cy - half, cx, cy + half, Ink::grid));
   chart.shapes.push_back({Kind::circle, Ink::limit, cx, cy, scale * limit_mm});
-  // Seen along +z, into the head: with y upwards on the page, x = y x z points to the left.
+  // The view is along +z, into the head: with y upwards on the page, x = y x z points to the left.
   for (const auto& pulse : pulses)
     chart.shapes.push_back(
         markOf(cx - scale * pulse.x_mm, cy - scale * pulse.y_mm, pulse.is_on_target, pulse.is_excluded));

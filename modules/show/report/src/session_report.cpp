@@ -24,8 +24,8 @@ namespace facenav::report {
 namespace {
 
 constexpr const char* kNotRecorded = "not recorded";
-constexpr std::size_t kMostRows = 60;  // of a table on paper; pulses.csv and events.jsonl hold all
-constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // the share of pulses that published sheets state
+constexpr std::size_t kMostRows = 60;  // largest table on paper; pulses.csv and events.jsonl have all rows
+constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // limits of the share of pulses in published sheets
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
 
 std::string timeWords(const std::optional<double>& seconds) {
@@ -43,12 +43,12 @@ std::string spreadWords(const std::optional<Spread>& spread, const char* unit) {
                 : std::string("no pulse has a pose");
 }
 
-/// These are written at each start; a session that was gone on with has several.
+/// True for an event written at each start; a continued session has several.
 bool isOfStart(const std::string& event) {
   return event == "alignment" || event == "coil" || event == "override" || event == "protocol";
 }
 
-/// The details of all events of that name, the last one last.
+/// Details of all events with that name, the last one last.
 std::string detailsOf(const casefile::KeptSession& session, const std::string& event) {
   std::string words, before;
   for (const auto& e : session.events) {
@@ -184,7 +184,7 @@ std::string accuracyPart(const casefile::KeptSession& session, const SessionSumm
   return headingHtml("Navigation accuracy") + factsHtml(rows);
 }
 
-/// Adds the figure to the report; returns its place in the body.
+/// Adds the figure to the report; returns its HTML for the body.
 std::string placed(SessionReport::Figure figure, SessionReport& report) {
   report.figures.push_back(std::move(figure));
   return formatted("<img src=\"figure:%zu\">\n", report.figures.size() - 1);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kClockStep_s = 1.0;
 
-/// "20261123T140509Z", perhaps with "_2" -> 2026-11-23T14:05:09Z. Other names stay as they are.
+/// Converts "20261123T140509Z", also with "_2", to 2026-11-23T14:05:09Z. Other names do not change.
 std::string startOf(const std::string& name) {
   const std::string time = name.substr(0, 16);
   if (!secondsOfUtc(time)) return name;
@@ -43,7 +43,7 @@ void countPulses(const casefile::SessionPulses& session, SessionSummary& summary
   if (!error_mm.empty()) summary.predicted_error_mm = median(error_mm);
 }
 
-/// The monotonic clock cannot be set; what the time of day gains or loses against it was set by someone.
+/// Largest step of the time of day against the monotonic clock, which nobody can set.
 std::optional<double> clockStep_s(const casefile::SessionPulses& session) {
   std::optional<double> before_s;
   double largest_s = 0;

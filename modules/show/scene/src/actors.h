@@ -21,23 +21,23 @@ class vtkRenderer;
 namespace facenav::scene {
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* poly, const palette::Rgb& colour);
-/// In the plane z = 0.
+/// Rectangle in the plane z = 0.
 vtkSmartPointer<vtkPolyData> makeRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 void setColour(vtkActor* actor, const palette::Rgb& colour);
 
 vtkSmartPointer<vtkActor> makeBrainActor(const surface::BrainModel& brain);
-/// Almost transparent where seen head-on, denser at the rim: the outline is clear and the brain stays
-/// visible.
+/// Scalp that is almost transparent where seen head-on and denser at the rim: the outline is clear and the
+/// brain stays visible.
 vtkSmartPointer<vtkActor> makeScalpActor(vtkPolyData* scalp);
 /// Slice along `axis` (0..2) of the voxel grid; pixels outside the head are transparent.
 vtkSmartPointer<vtkImageSlice> makeSliceActor(const volume::Volume& mri, int axis, vtkLinearTransform* head);
 void setSliceIndex(vtkImageSlice* slice, int index);
 
-/// In Coil coordinates.
+/// The coil's actors, in Coil coordinates.
 struct CoilActors {
   vtkSmartPointer<vtkActor> body, windings, axis, axis_on_top, tip;
   std::array<vtkActor*, 5> all() const { return {body, windings, axis, axis_on_top, tip}; }
-  /// The axis and its tip are also drawn on top of the head.
+  /// Adds the actors; axis and tip are also drawn on top of the head.
   void addTo(vtkRenderer* renderer, vtkRenderer* on_top) const;
   void removeFrom(vtkRenderer* renderer, vtkRenderer* on_top) const;
   void setTransform(vtkLinearTransform* coil);
@@ -45,7 +45,7 @@ struct CoilActors {
 };
 CoilActors makeCoilActors(const CoilShape& shape);
 
-/// In Mri coordinates.
+/// A target's actors, in Mri coordinates.
 struct TargetActors {
   vtkSmartPointer<vtkActor> ring, ring_on_top, line, cortex;
   std::array<vtkActor*, 4> all() const { return {ring, ring_on_top, line, cortex}; }

@@ -18,7 +18,7 @@ class BrainLayer {
   BrainLayer(vtkRenderer* renderer, vtkLinearTransform* head) : renderer_(renderer), head_(head) {}
 
   void setModel(const surface::BrainModel& brain);
-  /// Null: none; then every look shows the model.
+  /// Sets the cortex; without one (null) every look shows the model.
   void setCortex(std::shared_ptr<const CortexPicture> cortex);
   void clear();
   void setLook(BrainLook look);

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& c
   return actor;
 }
 
-/// A bar from (0,0) along +x, length 1, width 1; scaled and rotated per frame.
+/// Makes a bar from (0,0) along +x, length 1, width 1; scaled and rotated per frame.
 vtkSmartPointer<vtkActor> bar(const palette::Rgb& colour, double depth) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(makeRectangle({0, -0.5}, {1, 0.5}));
@@ -118,7 +118,7 @@ void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
   if (lean.norm() > kEdge_mm) lean *= kEdge_mm / lean.norm();
   placeBar(stroke, at, at + lean, 0.6, 0.9);
   stroke_end->SetPosition(at.x() + lean.x(), at.y() + lean.y(), 0.95);
-  // Seen along +z, a positive rotation about z is clockwise.
+  // A positive rotation about z appears clockwise, because the view is along +z.
   const double angle = M_PI / 2 - values.twist_rad;
   const Eigen::Vector2d ray(std::cos(angle), std::sin(angle));
   placeBar(twist, ray * (kEdge_mm - 2.6), ray * (kEdge_mm + 1.6), 1.1, 0.8);

@@ -9,8 +9,8 @@ namespace facenav::scene {
 /// 2000).
 surface::TriangleMesh coarsened(const surface::TriangleMesh& mesh, double cell_mm);
 
-/// For each vertex of `coarse`, the value at the nearest vertex of `fine`. `values`: one per vertex of
-/// `fine`.
+/// Returns, for each vertex of `coarse`, the value at the nearest vertex of `fine`. `values`: one per vertex
+/// of `fine`.
 std::vector<float> valuesAtNearest(const surface::TriangleMesh& fine, const std::vector<float>& values,
                                    const surface::TriangleMesh& coarse);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Profile = std::vector<Eigen::Vector2d>;  // closed polygon (radius or offset, z), counter-clockwise
 
-/// Rectangle with rounded corners.
+/// Makes a rectangle with rounded corners.
 Profile roundedProfile(double low, double high, double z_low, double z_high, double radius) {
   Profile profile;
   const Eigen::Vector2d corners[4] = {{high - radius, z_low + radius},

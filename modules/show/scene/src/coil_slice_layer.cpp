@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::array<CoilCut, 2> kCuts = {CoilCut::along_handle, CoilCut::across_handle};
 constexpr int kCutWidth_px = 150, kCutHeight_px = 110;  // 1 mm a pixel
-constexpr double kAir = 0.07;                           // share of the window that is air, and not drawn
+constexpr double kAir = 0.07;                           // share of the window that is air, not drawn
 
-/// The plane of a slice of a coil that stands at Mri's origin: so its corners are those in Coil.
+/// Plane of a slice for a coil at Mri's origin, so that its corners are in Coil coordinates.
 volume::SlicePlane planeInCoil(CoilCut cut) {
   return coilPlane(RigidTransform<Mri, Coil>(), cut, kCutWidth_px, kCutHeight_px);
 }
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkImageData> emptyImage() {
   return image;
 }
 
-/// Unlit; pixels of air are left out rather than blended, so that one slice never hides the other with
-/// nothing.
+/// Makes an unlit slice. Pixels of air are left out rather than blended, so that a slice never hides the
+/// other with air.
 vtkSmartPointer<vtkActor> sliceActor(CoilCut cut, vtkImageData* image) {
   auto actor = makeActor(rectangleOf(planeInCoil(cut)), {1, 1, 1});
   vtkNew<vtkTexture> texture;

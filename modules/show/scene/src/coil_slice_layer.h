@@ -14,14 +14,14 @@ namespace facenav::scene {
 
 class CoilSliceLayer {
  public:
-  /// `on_top`: the renderer over the head's; `coil`: places Coil in it.
+  /// Builds the layer. `on_top`: the renderer over the head's; `coil`: places Coil in it.
   CoilSliceLayer(vtkRenderer* on_top, vtkLinearTransform* coil);
 
-  /// Null: none are shown.
+  /// Sets the MRI; null: no slices.
   void setVolume(std::shared_ptr<const volume::Volume> mri);
-  /// Where the coil is; nothing: no coil, and no slices from now on.
+  /// Sets the coil's pose; nothing: no coil and no slices from now on.
   void follow(const std::optional<RigidTransform<Mri, Coil>>& mri_T_coil);
-  /// Cuts the MRI there, once per place; before drawing. Takes about a millisecond.
+  /// Cuts the MRI at the coil's pose, once per pose; call it before drawing. Takes about a millisecond.
   void cut();
   bool isShown() const;
 
@@ -31,7 +31,7 @@ class CoilSliceLayer {
   std::shared_ptr<const volume::Volume> mri_;
   std::optional<RigidTransform<Mri, Coil>> mri_T_coil_;
   bool is_outdated_ = false;
-  double black_ = 0, white_ = 1;  // of the usual window
+  double black_ = 0, white_ = 1;  // usual window
   std::array<vtkSmartPointer<vtkImageData>, 2> images_;
   std::array<vtkSmartPointer<vtkActor>, 2> actors_;
 };

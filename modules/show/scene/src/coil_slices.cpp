@@ -11,16 +11,16 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kZoomedAbout_mm = 40;   // under the contact face: where the cortex is
-constexpr double kLettersFromTop = 2.6;  // letter heights: below the line of words that a window puts there
+constexpr double kZoomedAbout_mm = 40;   // depth under the contact face, about that of the cortex
+constexpr double kLettersFromTop = 2.6;  // letter heights: below a window's line of text
 constexpr double kHandle_mm = 110, kHandleThick_mm = 9, kTick_mm = 10;
 
-/// The axis of Coil along the image's rows.
+/// Axis of Coil along the image's rows.
 Vector3d rowOf(CoilCut cut) {
   return cut == CoilCut::along_handle ? Vector3d(Vector3d::UnitY()) : Vector3d(-Vector3d::UnitX());
 }
 
-/// The stretch of the plate's outline on the slice: least and largest place along the image's rows, mm.
+/// Extent of the plate's outline on the slice: least and largest position along the image's rows, mm.
 std::optional<std::pair<double, double>> plateOnSlice(const guidance::CoilPlate& plate, CoilCut cut) {
   const Vector3d row = rowOf(cut);
   const Vector2d along = row.head<2>(), across(-along.y(), along.x());
@@ -37,7 +37,7 @@ std::optional<std::pair<double, double>> plateOnSlice(const guidance::CoilPlate&
   return std::pair(*low, *high);
 }
 
-/// Draws in the coil's own millimetres on the slice: x along the image's rows, y into the head.
+/// Draws on the slice in the coil's own millimetres: x along the image's rows, y into the head.
 struct CoilPen {
   RgbImage& image;
   const volume::SlicePlane& plane;
@@ -62,7 +62,7 @@ void paintPlate(const CoilPen& pen, const guidance::CoilPlate& plate, CoilCut cu
              0.45);
 }
 
-/// The beam with a tick every centimetre, and the bound of the error beside it.
+/// Draws the beam with a tick every centimetre, and the bound of the error beside it.
 void paintBeam(const CoilPen& pen, const SlicedCoil& coil, const std::optional<double>& ring_depth_mm) {
   const double end_mm = 2 * kCoilSliceDepth_mm;  // ends outside the picture at any zoom
   pen.stroke({0, 0}, {0, end_mm}, palette::kBlue, 1.4, 0.9);

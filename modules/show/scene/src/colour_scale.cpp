@@ -6,7 +6,7 @@
 namespace facenav::scene {
 namespace {
 
-// Lightness (CIE L*) rises evenly from about 30 to 95.
+// The lightness (CIE L*) rises evenly from about 30 to 95.
 constexpr palette::Rgb kStops[] = {
     {0.20, 0.22, 0.62}, {0.55, 0.25, 0.66}, {0.86, 0.34, 0.47}, {0.97, 0.60, 0.30}, {1.00, 0.95, 0.62}};
 constexpr int kLast = 4;

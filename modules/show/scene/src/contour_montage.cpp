@@ -33,7 +33,7 @@ int normalAxis(volume::Anatomical orientation) {
   return orientation == volume::Anatomical::axial ? 2 : orientation == volume::Anatomical::coronal ? 1 : 0;
 }
 
-/// The anatomical plane with its centre at `centre`, `side_mm` wide and high.
+/// Anatomical plane with its centre at `centre`, `side_mm` wide and high.
 volume::SlicePlane tilePlane(const SliceScene& scene, volume::Anatomical orientation,
                              const Point<Mri>& centre, double side_mm, int tile_px) {
   auto plane = volume::anatomicalPlane(scene.mri->grid, orientation, centre);

@@ -15,7 +15,7 @@ class HeadIcon {
  public:
   HeadIcon();
   vtkRenderer* renderer() { return renderer_; }
-  /// Factor of the letters' usual size.
+  /// Sets the letters' size, as a factor of the usual one.
   void setTextScale(double scale);
   /// Turns the icon to the orientation of the head in `main`. The head's axes are `world_R_mri` (columns
   /// right, anterior, superior).

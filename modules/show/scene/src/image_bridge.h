@@ -13,7 +13,7 @@ class vtkRenderWindow;
 namespace facenav::scene {
 
 vtkSmartPointer<vtkImageData> toVtkImage(const RgbImage& image);
-/// Overwrites `target`; allocates only if the size changed.
+/// Copies the image into `target`; allocates only if the size changed.
 void copyInto(const RgbImage& image, vtkImageData* target);
 vtkSmartPointer<vtkPolyData> toPolyData(const surface::TriangleMesh& mesh);
 /// Renders and reads the window's pixels.

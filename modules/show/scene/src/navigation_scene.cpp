@@ -294,7 +294,7 @@ void NavigationScene::attach(vtkRenderWindow* window, double x0, double y0, doub
   const int* size = window->GetSize();
   const double width = std::max(1, size[0]) * (x1 - x0), height = std::max(1, size[1]) * (y1 - y0);
   const double smaller = std::min(width, height);
-  // Of the head icon: 64 px at least, so that its letters are whole.
+  // Size of the head icon: 64 px at least, so that its letters are whole.
   const double side = std::min(0.5 * smaller, std::max(0.24 * smaller, 64.0 * s.text_scale));
   s.icon.renderer()->SetViewport(x0, y0, x0 + (x1 - x0) * side / width, y0 + (y1 - y0) * side / height);
   for (vtkRenderer* r : {s.renderer.Get(), s.on_top.Get(), s.icon.renderer()})

@@ -37,7 +37,7 @@ void paintMask(RgbImage& image, const Overlay& overlay, const volume::SlicePlane
         blend(image, u, v, overlay.colour, overlay.opacity);
 }
 
-/// Largest and least distance of a box from the plane through `origin`, mm.
+/// True if the plane through `origin` passes near the box.
 bool isNear(const Vector3f& low, const Vector3f& high, const Vector3f& origin, const Vector3f& normal) {
   const Vector3f centre = 0.5f * (low + high) - origin, half = 0.5f * (high - low);
   return std::abs(centre.dot(normal)) <= half.dot(normal.cwiseAbs()) + float(kTractReach_mm);

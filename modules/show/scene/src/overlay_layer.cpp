@@ -17,7 +17,7 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kOverBrain_mm = 0.5;  // so that the brain below it does not hide it
+constexpr double kOverBrain_mm = 0.5;  // keeps it visible over the brain below
 
 unsigned char byteOf(double share) { return (unsigned char)std::lround(255 * share); }
 
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkActor> overlayActor(OverlayPoints& points, vtkCellArray* line
   return actor;
 }
 
-/// The part of the brain's surface under which the map is strong enough.
+/// Makes the part of the brain's surface under which the map reaches its threshold.
 vtkSmartPointer<vtkActor> mapActor(const Overlay& overlay, const surface::TriangleMesh& brain) {
   const bool is_mask = overlay.mask != nullptr;
   const auto values = valuesUnder(brain, is_mask ? *overlay.mask : *overlay.map);

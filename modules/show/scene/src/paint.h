@@ -15,10 +15,11 @@ void line(RgbImage& image, const Eigen::Vector2d& a_px, const Eigen::Vector2d& b
           const palette::Rgb& colour, double width_px, double opacity);
 void circle(RgbImage& image, const Eigen::Vector2d& centre_px, double radius_px, const palette::Rgb& colour,
             double width_px, double opacity);
-/// One of R L A P S I, `height_px` tall, centred.
+/// Paints one of R L A P S I, `height_px` tall, centred.
 void letter(RgbImage& image, char which, const Eigen::Vector2d& centre_px, double height_px,
             const palette::Rgb& colour);
-/// The patient's sides at the image's edges. `from_top`: row of the upper ones, in heights of a letter.
+/// Paints the patient's sides at the image's edges. `from_top`: row of the upper ones, in heights of a
+/// letter.
 void paintSideLetters(RgbImage& image, const volume::SlicePlane& plane, double text_scale, double from_top);
 
 }  // namespace facenav::scene

@@ -21,7 +21,7 @@ namespace facenav::scene {
 namespace {
 
 constexpr double kBall_mm = 1.3, kRim_mm = 2.8, kChosen_mm = 2.2, kExcluded_mm = 1.2, kHandle_mm = 7.0;
-constexpr double kAboveBrain_mm = 0.4;  // so that heat is not hidden by the brain below it
+constexpr double kAboveBrain_mm = 0.4;  // keeps the heat map visible over the brain below
 constexpr int kBallFacets = 8;
 
 /// Points with a colour each, drawn with one glyph.
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkSphereSource> ball(double radius_mm) {
   return source;
 }
 
-/// From each coil's centre towards its handle.
+/// Makes the strokes from each coil's centre towards its handle.
 vtkSmartPointer<vtkActor> handles(const std::vector<PulseMark>& marks) {
   ColouredPoints ends;
   vtkNew<vtkCellArray> lines;

@@ -15,11 +15,12 @@ namespace {
 
 constexpr int kFontSize = 22, kSmallestFontSize = 8, kMostLines = 3;
 constexpr int kMargin_px = 6;         // between the words and the view's edges
-constexpr double kMostHeight = 0.4;   // of the view
-constexpr double kUsualPlace = 0.90;  // of the words' middle, up the view
-constexpr const char* kSide = "  ";   // of the dark box, left and right of each line
+constexpr double kMostHeight = 0.4;   // largest share of the view's height
+constexpr double kUsualPlace = 0.90;  // height of the text's middle in the view
+constexpr const char* kSide = "  ";   // padding of the dark box, left and right of each line
 
-/// Broken at spaces into lines of `longest` characters at most; a longer word has a line of its own.
+/// Breaks the text at spaces into lines of `longest` characters at most; a longer word gets a line of its
+/// own.
 std::vector<std::string> brokenAt(const std::string& words, std::size_t longest) {
   std::vector<std::string> lines;
   std::istringstream stream(words);

@@ -1,6 +1,6 @@
 #pragma once
-// SceneBanner: a few words over the 3-D view, near its top. They lie whole inside the view: too long a line
-// is broken at its spaces, and only then made smaller. Private to scene.
+// SceneBanner: a short text over the 3-D view, near its top. It always fits into the view: too long a line is
+// broken at its spaces, and only then made smaller. Private to scene.
 
 #include <vtkNew.h>
 #include <vtkTextActor.h>
@@ -16,12 +16,12 @@ class SceneBanner {
  public:
   SceneBanner();
   vtkTextActor* actor() { return actor_; }
-  /// Empty: hidden.
+  /// Sets the text; empty: hidden.
   void setWords(const std::string& words);
-  /// Factor of the usual text size.
+  /// Sets the text size, as a factor of the usual one.
   void setTextScale(double scale);
-  /// Lays the words out for the present size of `viewport`, which must belong to a window. Call it before
-  /// each rendering; it costs nothing while nothing has changed.
+  /// Fits the text to the present size of `viewport`, which must belong to a window. Call it before each
+  /// rendering; it returns at once if nothing has changed.
   void fit(vtkViewport* viewport);
 
  private:
@@ -34,7 +34,7 @@ class SceneBanner {
   std::array<int, 2> fitted_to_px_{0, 0};
 };
 
-/// `words` on at most `count` lines of about equal length, broken at spaces.
+/// Breaks `words` at spaces into at most `count` lines of about equal length.
 std::string inLines(const std::string& words, int count);
 
 }  // namespace facenav::scene

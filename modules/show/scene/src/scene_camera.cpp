@@ -22,7 +22,7 @@ void SceneCamera::fit(const surface::TriangleMesh& scalp) {
   if (scalp.vertices_mm.empty()) return;
   Eigen::AlignedBox3d box;
   for (const auto& v : scalp.vertices_mm) box.extend(v);
-  // Neck and shoulders in the scan must not make the head smaller.
+  // Limits the height, so that neck and shoulders in the scan do not make the head smaller.
   box.min().z() = std::max(box.min().z(), box.max().z() - 235.0);
   centre_mm_ = box.center();
   radius_mm_ = std::max(40.0, 0.5 * box.sizes().maxCoeff());
@@ -39,7 +39,7 @@ void SceneCamera::place(const Eigen::Vector3d& from, const Eigen::Vector3d& up, 
 }
 
 void SceneCamera::placeOverTarget(const guidance::Target& target) {
-  // Oblique to the coil's axis and from the front, so that axis, ring and face are all visible.
+  // The view is oblique to the coil's axis and from the front, so that axis, ring and face are all visible.
   const Eigen::Vector3d out = -target.mri_T_target.rotation().col(2);
   const Eigen::Vector3d at_mm = centre_mm_ + 0.28 * radius_mm_ * out;  // leaves room for the coil
   place(out * 0.35 + Eigen::Vector3d(out.x() < 0 ? -0.62 : 0.62, 0.85, 0.0), {0, 0, 1}, at_mm, 1.05);

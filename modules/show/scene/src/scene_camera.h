@@ -18,9 +18,9 @@ class SceneCamera {
   /// Sets centre and size of the scene; an empty mesh changes nothing.
   void fit(const surface::TriangleMesh& scalp);
   void setAngle(double vertical_rad) { angle_rad_ = vertical_rad; }
-  /// World = Mri.
+  /// Places the camera for a preset; World = Mri.
   void place(ViewPreset preset, const std::optional<guidance::Target>& active);
-  /// World = Camera: at the left camera's position, with its angle of view.
+  /// Places the camera at the left camera's position, with its angle of view; World = Camera.
   void placeInCamera();
 
  private:

@@ -10,7 +10,7 @@ class SkinLayer {
   SkinLayer(vtkRenderer* renderer, vtkLinearTransform* head) : renderer_(renderer), head_(head) {}
 
   void set(const surface::TriangleMesh& scalp);
-  /// `opacity`: value at the rim.
+  /// Sets the look. `opacity`: value at the rim.
   void setLook(bool is_visible, bool is_quick, bool is_grey, double opacity);
   /// The actor drawn now, or null.
   vtkActor* shown() const;

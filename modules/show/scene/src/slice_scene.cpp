@@ -8,7 +8,7 @@
 namespace facenav::scene {
 namespace {
 
-/// The mask's value at each pixel, trilinear, so that its contour at 0.5 is smooth.
+/// Samples the mask at each pixel, trilinear, so that its contour at 0.5 is smooth.
 std::vector<float> sampleSmooth(const volume::Mask& mask, const volume::SlicePlane& plane) {
   std::vector<float> values(std::size_t(plane.width) * plane.height);
   const Eigen::Affine3d voxel_from_mri = mask.grid.mri_from_voxel.inverse();
@@ -66,7 +66,7 @@ void paintTargets(RgbImage& image, const SliceScene& scene, const volume::SliceP
   }
 }
 
-/// Only where it lies on the plane, as it always does on the anatomical ones.
+/// Draws the crosshair if it lies on the plane, as it always does on the anatomical ones.
 void paintCrosshair(RgbImage& image, const Point<Mri>& at, const volume::SlicePlane& plane) {
   constexpr double kOnPlane_mm = 1.0;
   const Eigen::Vector3d on_plane = plane.toPixel(at);

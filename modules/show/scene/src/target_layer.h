@@ -10,14 +10,15 @@ namespace facenav::scene {
 
 class TargetLayer {
  public:
-  /// `on_top`: for parts that the head must not hide.
+  /// Builds the layer. `on_top`: renderer for parts that the head must not hide.
   TargetLayer(vtkRenderer* renderer, vtkRenderer* on_top, vtkLinearTransform* head)
       : renderer_(renderer), on_top_(on_top), head_(head) {}
 
   void set(const std::vector<guidance::Target>& targets, const std::string& active);
   const std::optional<guidance::Target>& active() const { return active_; }
   void setVisible(bool is_visible);
-  /// The active target: blue on target, otherwise orange. Grey if poses are lost, and for all other targets.
+  /// Colours the active target: blue on target, otherwise orange. Lost poses make it grey, like all other
+  /// targets.
   void setColours(bool is_grey, bool is_on_target);
 
  private:

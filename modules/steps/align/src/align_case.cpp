@@ -20,24 +20,24 @@
 namespace facenav::steps {
 namespace {
 
-/// Pictures with less prior trust are used only where they promise this much less error.
+/// Ratio of predicted errors below which pictures with less prior trust are used.
 constexpr double kClearlyBetter = 0.85;
-// Bound (95 %) of an alignment without dots and without a marker: what counts as a wrong pose.
+// Largest bound (95 %) of an alignment without dots and without a marker: that of a wrong pose.
 constexpr double kMostUnknown_mm = 3.0;
 
-/// A way to align with the pictures that go with it into the case.
+/// An alignment, with its pictures for the case.
 struct Aligned {
   AlignmentOutcome outcome;
   capture::CapturePair pictures;
 };
 
-/// The capture has another picture for the dots, whether they are seen there or not.
+/// True if the capture has another picture for the dots, whether or not the dots are seen.
 bool hasPattern(const capture::CapturePair& capture) {
   const cv::Mat &dots = capture.pattern.left, &plain = capture.plain.left;
   return !dots.empty() && (dots.size() != plain.size() || cv::norm(dots, plain, cv::NORM_INF) > 0);
 }
 
-/// Those that the recording has pictures for. With a projector that was off they are a plain pair.
+/// Lists the ways for which the recording has pictures. If the projector was off, they are a plain pair.
 std::vector<measured_face::AlignedFrom> waysOf(const capture::Recording& recording) {
   std::vector<measured_face::AlignedFrom> ways;
   if (recording.capture && measured_face::showsDots(*recording.capture))
@@ -81,7 +81,8 @@ Aligned align(const Registrations& methods, const capture::Recording& recording,
   return aligned;
 }
 
-/// The pair that the case was aligned with. Not one frame of a film: this recording's own film says more.
+/// Returns the pair that the case was aligned with, unless it is a single frame of a film: this recording's
+/// own film has more information.
 std::optional<capture::CapturePair> storedPair(const casefile::CaseStore& store,
                                                const capture::Recording& recording) {
   const auto alignment = store.alignment();
@@ -97,7 +98,7 @@ double worstBound_mm(const AlignmentOutcome& outcome) {
   return outcome.result.errorBound_mm(Point<Mri>(outcome.scalp->middle_mm()));
 }
 
-/// Nothing tells well enough that no camera turned sideways since the calibration.
+/// Refusal because a camera may have turned sideways since the calibration.
 class UnknownTurn : public NotMeasured {
  public:
   using NotMeasured::NotMeasured;
@@ -126,7 +127,7 @@ bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
   return *other.predicted_mm < kClearlyBetter * *than.predicted_mm;
 }
 
-/// A caution where two ways see the head at one moment in two places, farther apart than both bounds.
+/// Caution where two ways place the head, at one moment, farther apart than both bounds.
 std::optional<std::string> contradiction(const CaseAlignment& alignment, const Point<Mri>& at) {
   const AlignmentTry *dots = nullptr, *plain = nullptr;
   for (const AlignmentTry& tried : alignment.tries)
@@ -144,7 +145,7 @@ std::string inWords(const AlignmentTry& tried) {
   return inWords(tried.from) + " would give " + fixed(*tried.predicted_mm, 2) + " mm";
 }
 
-/// A case without an MRI has a stored face in its place.
+/// Replaces the MRI by the stored face in the words for a case without an MRI.
 std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
   if (store.hasMri()) return words;
   for (const char* mri : {"this is the patient's own MRI", "this MRI", "the MRI", "this scan", "the scan"})
@@ -161,7 +162,7 @@ struct Attempts {
   bool hasDenseDots() const { return best_ && best_->outcome.has_dense_dots; }
   void add(measured_face::AlignedFrom from, const casefile::CaseStore& store,
            const std::function<Aligned()>& align);
-  /// Throws the error that says most where no way stands.
+  /// Returns the best way. If none is accepted, throws the most informative error.
   Aligned best(const casefile::CaseStore& store, const capture::Recording& recording);
 
  private:
@@ -188,7 +189,7 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
     take(align());
   } catch (const Cancelled&) {
     throw;
-  } catch (const UnknownTurn& error) {  // it says what to do with or without a projector
+  } catch (const UnknownTurn& error) {  // contains advice for use with or without a projector
     error_ = error;
     now.refusal = error.what();
   } catch (const NotMeasured& error) {
@@ -197,7 +198,7 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
     if (!best_ && words != error.what()) throw Error(words);
-    // Another head, or moved cameras: no other pictures of them may be accepted instead.
+    // Another head or moved cameras: no other pictures may be accepted instead.
     if (!best_) throw;
     now.refusal = error.what();
   }

@@ -28,13 +28,13 @@ Eigen::Vector3d middleOf(const PointCloud<Camera>& face) {
   return middle_mm;
 }
 
-/// Share by which a length there seems longer, per rad of the turn.
+/// Relative increase of a length there, per rad of the turn.
 double sizeByTurn(const registration::TurnableCamera& right, const Eigen::Vector3d& at_mm) {
   return right.displacement(at_mm).norm() / at_mm.norm();
 }
 
-/// How a turn of the right camera looks that the cloud's stated deviation could be: points that are all off
-/// by it, outwards from the middle, change the face's size; a turn changes its distance and so its size.
+/// Turn of the right camera that corresponds to the cloud's standard deviation. If all points are off by it,
+/// outwards from the middle, the face's size changes; a turn changes the face's distance and so its size.
 double turnByDeviation_rad(const stereo::FaceCloud& face, const Eigen::Vector3d& middle_mm,
                            double baseline_mm) {
   double deviation_mm2 = 0, radius_mm2 = 0;
@@ -45,10 +45,9 @@ double turnByDeviation_rad(const stereo::FaceCloud& face, const Eigen::Vector3d&
   return std::sqrt(deviation_mm2 / radius_mm2) * baseline_mm / middle_mm.norm();
 }
 
-/// The right camera, turning across its view of the face and the baseline.
-/// Without dense dots the points' deviation is largely common to neighbours: measured as plain skin and with
-/// sparse dots, the turn was off by 0.12 deg (head 12 and the virtual patient, seed 31) where the fit alone
-/// stated 0.04; dense dots were off by 0.02 where it stated 0.03.
+/// Returns the right camera, turning across its view of the face and the baseline. Without dense dots,
+/// neighbouring points share most of their deviation, so the fit's own error of the turn is too small and the
+/// deviation is added. Evidence: resources/doc/evidence.md.
 std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoRig& rig,
                                                           const stereo::FaceCloud& face,
                                                           bool has_dense_dots) {
@@ -60,7 +59,7 @@ std::optional<registration::TurnableCamera> turnableRight(const cameras::StereoR
       has_dense_dots ? 0.0 : turnByDeviation_rad(face, middle_mm, centre_mm.norm())};
 }
 
-/// What is known of the face before it is fitted.
+/// Prior of the face's pose for the fit.
 registration::AlignmentStart startOf(const cameras::StereoRig& rig,
                                      const std::optional<health::ScaleObservation>& marker,
                                      const AlignmentOutcome& outcome) {
@@ -73,8 +72,8 @@ registration::AlignmentStart startOf(const cameras::StereoRig& rig,
   return start;
 }
 
-/// Adds the errors of a face that cameras measured in place of a scan. The fit compares the live face with
-/// it, so that only the turn that a marker tells misses the stored face's own error of size.
+/// Adds the errors of a face that cameras measured instead of a scan. The fit compares the live face with it;
+/// only a turn measured by a marker lacks the stored face's own error of size.
 void addErrorsOf(const surface::FaceMeasurement& model, const PointCloud<Camera>& face,
                  registration::AlignmentStart& start) {
   start.shared_depth_sigma_mm = std::hypot(start.shared_depth_sigma_mm, model.whole_mm);
@@ -92,7 +91,7 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
   const bool has_flags = result.is_inlier.size() == face.cloud.size();
   const bool has_normals = face.cloud.normals.size() == face.cloud.size();
   for (std::size_t i = 0; has_pixels && i < face.cloud.size(); ++i) {
-    // Hair and coil can move relative to the skull, or disappear.
+    // Skips hair and coil, which can move relative to the skull, or disappear.
     if (has_flags && !result.is_inlier[i]) continue;
     reference.surface.points_mm.push_back(face.cloud.points_mm[i]);
     if (has_normals) reference.surface.normals.push_back(face.cloud.normals[i]);
@@ -101,9 +100,9 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
   return reference;
 }
 
-/// Runs `measureAndFit`; if it fails, runs it once more without the landmarks, under the same tests. The
-/// detector may have found something else (a scan that ends at the nose, a poster, a mask), and this must not
-/// prevent the alignment. If both fail, the first error is returned because it says more.
+/// Runs `measureAndFit`; if it fails, runs it once more without the landmarks, under the same tests, because
+/// the detector may have found something else (a scan that ends at the nose, a poster, a mask). If both fail,
+/// returns the first error, which is more informative.
 std::optional<Error> withoutLandmarksIfMisled(measured_face::FaceInSpace& landmarks,
                                               const std::function<void()>& measureAndFit) {
   const auto first = errorOf(measureAndFit);
@@ -139,14 +138,14 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
     outcome.is_marker_contradicted = seen.is_contradicted;
   }
   const auto& model = setup.scalp.measurement;
-  if (isSizeUnknown(setup.scalp)) marker.reset();  // the marker tells how the cameras stand now, not then
+  if (isSizeUnknown(setup.scalp)) marker.reset();  // the marker measures the cameras now, not at the visit
   outcome.is_marker_seen = marker.has_value();
   auto start = startOf(rig, marker, outcome);
   if (model) addErrorsOf(*model, outcome.face.cloud, start);
   outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, start, monitor);
 }
 
-/// Where nothing excludes a camera that turned: what it could cost, and what to do.
+/// Describes the possible error of a turned camera, and what to do, if nothing excludes a turn.
 std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const AlignmentOutcome& outcome) {
   constexpr double kSaid_mm = 2.0, kBound = 1.96;
   double most_mm = 0;
@@ -168,7 +167,7 @@ std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const Ali
          "taken, and align again";
 }
 
-/// What follows from a fit that stands.
+/// Sets the results that follow from an accepted fit.
 void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, AlignmentOutcome& outcome) {
   if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   if (const auto words = unmeasuredTurn(setup, outcome)) outcome.result.cautions.push_back(*words);
@@ -176,7 +175,7 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
   outcome.skin = std::make_shared<const surface::ScalpSurface>(setup.scalp);
   for (const auto& target : setup.targets) {
-    // The coil rests on the skin as the MRI shows it: where that is unsure, so is its place.
+    // The coil rests on the MRI's skin, so an uncertain skin makes the coil's position uncertain.
     constexpr double kUnsure_mm = 0.5, kBound = 1.96;
     const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
     outcome.predicted_tre_mm[target.name] = outcome.predictedError_mm(target);
@@ -190,7 +189,8 @@ void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, Al
   }
 }
 
-/// The dots were aligned, the tracker starts at the picture without dots: the head must lie in one place.
+/// Throws Error unless the head is at one place in the picture with dots, which was aligned, and in the plain
+/// one, from which the tracker starts.
 void requireStillHead(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
   const monitoring::DriftCheck check(rig, outcome.scalp, outcome.reference, outcome.result.camera_T_mri);
   const auto& found = check.atReference();

@@ -24,7 +24,7 @@ std::string placeName(surface::Landmark landmark) {
 std::vector<surface::NamedPlace> placesToTouch(const casefile::CaseStore& store,
                                                const surface::ScalpSurface& scalp,
                                                const registration::ScalpField* field) {
-  constexpr double kNoseTip_mm = 1.0;  // the tip is flat: its foremost point is about so uncertain
+  constexpr double kNoseTip_mm = 1.0;  // uncertainty of the foremost point of the flat tip
   std::vector<surface::NamedPlace> places;
   if (field && scalp.has_face) places.push_back({"nose tip", Point<Mri>(field->noseTip_mm()), kNoseTip_mm});
   try {
@@ -33,7 +33,7 @@ std::vector<surface::NamedPlace> placesToTouch(const casefile::CaseStore& store,
          {surface::Landmark::nasion, surface::Landmark::tragus_left, surface::Landmark::tragus_right})
       if (const auto& landmark = landmarks[which])
         places.push_back({placeName(which), landmark->point, landmark->sd_mm});
-  } catch (const Error& error) {  // the skin alone still says much
+  } catch (const Error& error) {  // the skin alone is still useful
     logWarning(std::string("no landmarks for the check of the alignment: ") + error.what());
   }
   return places;
@@ -62,7 +62,7 @@ std::optional<guidance::TipReading> readPickedSpot(const session::NavigationStat
                                                    const Eigen::Vector2d& px,
                                                    const guidance::TipCheck& check) {
   if (!state.camera_T_mri || !state.images || state.images->left.empty()) return std::nullopt;
-  if (state.rig_correction) return std::nullopt;  // `rig` is no longer how the cameras stand
+  if (state.rig_correction) return std::nullopt;  // `rig` is no longer the cameras' pose
   const auto mri_T_camera = state.camera_T_mri->inverse();
   const auto spot = stereo::measurePickedSpot(rig, *state.images, side, px, [&](const Point<Camera>& place) {
     return check.read(mri_T_camera * place).isNear();

@@ -10,17 +10,18 @@
 namespace facenav::steps {
 namespace {
 
-// A hand that only passes a turning point is no rest.
+// Shortest rest of the marker; a hand at a turning point is still for less.
 constexpr double kResting_s = 0.25;
-constexpr double kFaceAgain_s = 0.5;  // a face that is not found is looked for again after this time
-// A mask or a beard can hide the face from the detector. The alignment does without its landmarks, and
-// refuses a picture that shows no face. Shorter, and a patient who still sits down would be missed.
+constexpr double kFaceAgain_s = 0.5;  // time until a face that was not found is searched again
+// Time after which the picture is taken without a face. A mask or a beard can hide it from the detector; the
+// alignment works without its landmarks, and refuses a picture that shows no face. Longer is safer: a patient
+// may still be sitting down.
 constexpr double kWithoutFace_s = 6.0;
-// Pictures that are averaged: as many as 30 frames a second give while the marker must rest. Chosen before it
-// was measured; one smooth face of three (Colin27, seed 163) was refused with one picture and aligned with 8.
+// Number of averaged pictures: those at 30 frames a second while the marker must rest. Evidence:
+// resources/doc/evidence.md.
 constexpr std::size_t kPictures = 8;
-// Where the right picture is of another moment, a face that moves in between lies at a wrong depth. It is at
-// rest where the newest picture and an earlier one show it at the same place.
+// Fewest pictures with a still face, if the right picture is of another moment: a face that moves in between
+// would have a wrong depth.
 constexpr int kSteadyPictures = 2;
 
 cv::Rect grown(const cv::Rect& rect, double share) {
@@ -28,8 +29,7 @@ cv::Rect grown(const cv::Rect& rect, double share) {
   return {rect.tl() - cv::Point(by), rect.size() + by + by};
 }
 
-/// The whole face with forehead and chin; the marker with its white margin stays as the newest picture has
-/// it.
+/// Region of the whole face with forehead and chin; the marker with its white margin is not averaged.
 SteadyRegion regionOf(const face::FaceLandmarks& face, const std::array<Eigen::Vector2d, 4>& marker_px) {
   std::vector<cv::Point2f> corners;
   for (const auto& corner : marker_px) corners.emplace_back(float(corner.x()), float(corner.y()));
@@ -44,7 +44,7 @@ struct AutomaticCapture::Implementation {
   const cameras::StereoRig rig;
   AutomaticCaptureMethods methods;
   RestingMarker resting;
-  std::deque<cameras::StereoFrame> at_rest;  // the newest last
+  std::deque<cameras::StereoFrame> at_rest;  // newest last
   std::optional<double> face_missed_s, face_first_missed_s;
   bool has_face_moved = false;
   std::optional<cameras::StereoFrame> still;
@@ -55,7 +55,8 @@ struct AutomaticCapture::Implementation {
     at_rest.back().right = frame.right.clone();
     if (at_rest.size() > kPictures) at_rest.pop_front();
   }
-  /// False where the face is not seen, for some seconds, and where it moves between pictures of two moments.
+  /// Takes the picture. Returns false if the face is not seen, for some seconds, or moves between pictures of
+  /// two moments.
   bool take(const cameras::StereoFrame& frame) {
     const auto face = measured_face::findFace(rig, frame, *methods.face_detector);
     if (face.left && face.right) {
@@ -65,12 +66,12 @@ struct AutomaticCapture::Implementation {
       has_face_moved = mean.pictures < kSteadyPictures && !isOfOneMoment(frame);
       if (has_face_moved) return false;
       still = std::move(mean.frame);
-      still->right_late_s.reset();  // neither face nor marker moved: the delay plays no part
+      still->right_late_s.reset();  // neither face nor marker moved: the delay has no effect
     } else {
       face_missed_s = frame.captured.s;
       if (!face_first_missed_s) face_first_missed_s = face_missed_s;
       if (*face_missed_s - *face_first_missed_s < kWithoutFace_s) return false;
-      still = at_rest.back();  // nothing says that this face is at rest: a delay stays stated
+      still = at_rest.back();  // the face may have moved, so the delay is kept
     }
     return true;
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Why an alignment failed, or must not stand: cameras that moved, a pair that is no pair, a projector that
-// was off. Camera frame, mm.
+// Diagnoses a failed or doubtful alignment: moved cameras, unsynchronised images, projector off. Camera
+// frame, mm.
 
 #include <functional>
 #include <optional>
@@ -17,9 +17,8 @@ namespace facenav::steps {
 /// fault of the cameras, and the user's stop.
 std::optional<Error> errorOf(const std::function<void()>& task);
 
-/// The aligner and the measurement know only that nothing fits. This checks the cameras first, then the dots
-/// (where `from` needs them); if all are in order, it throws the original error, as NotMeasured where the
-/// face was not even measured.
+/// Throws the reason of a failed alignment. Checks the cameras first, then the dots (if `from` needs them).
+/// If all are in order, throws the original error, as NotMeasured if the face was not even measured.
 [[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   measured_face::AlignedFrom from, const Error& error, bool is_measured,
                                   const std::string& matcher);

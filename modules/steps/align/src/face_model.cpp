@@ -19,12 +19,12 @@ namespace {
 
 const Eigen::Vector3d kFacesNose_mm(0, 95, -30);
 constexpr const char* kKeptFace = "face.vtp";  // in alignment_capture/
-// An error of size moves the coil by its share of the distance between face and coil, some 150 mm: with twice
-// this error by 3 mm, which counts as a wrong pose.
+// Largest relative error of size. It moves the coil by that share of its distance from the face, some 150 mm;
+// twice this error moves it by 3 mm, a wrong pose.
 constexpr double kMostSizeError = 0.01;
-constexpr double kTurned = 3.0;  // standard errors of a length that is wrong for sure, as in the alignment
+constexpr double kTurned = 3.0;  // standard errors of a length that is certainly wrong, as in the alignment
 
-/// The face's own axes, by its landmarks.
+/// Returns the face's own axes, from its landmarks.
 RigidTransform<Camera, Mri> facesOwnFrame(const measured_face::FaceInSpace& face) {
   const auto& start = face.start;
   if (!start.patient_right || !start.patient_superior || !start.nose_tip)
@@ -39,8 +39,8 @@ RigidTransform<Camera, Mri> facesOwnFrame(const measured_face::FaceInSpace& face
   return RigidTransform<Camera, Mri>::fromIsometry(pose);
 }
 
-/// What the marker's length says about the size of a face elsewhere in the view: a turn of the right camera
-/// changes a length by a share that grows with its distance.
+/// Relative error of the size of a face elsewhere in the view, from the marker's length: a turn of the right
+/// camera changes a length by a share that grows with its distance.
 double sizeErrorBy(const health::ScaleObservation& marker, const Eigen::Vector3d& face_mm) {
   const double off = marker.ratio - 1.0;
   if (std::abs(off) > kTurned * marker.sigma)

@@ -5,7 +5,7 @@
 namespace facenav::steps {
 namespace {
 
-/// The head turns to both sides in this time; later frames add little.
+/// Time in which the head turns to both sides; later frames add little.
 constexpr double kFilm_s = 2.0;
 
 }  // namespace

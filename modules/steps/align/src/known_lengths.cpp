@@ -8,10 +8,10 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kBetween_s = 0.1;  // a still pair counts as two frames: the tracker wants a marker at rest
+constexpr double kBetween_s = 0.1;  // a still pair is added as two frames: the tracker needs a marker at rest
 constexpr double kSameTime_s = 1e-3;
-// With a right picture that is 10 ms late, so slow a marker seems 0.06 mm farther or nearer: a camera turned
-// by 0.005 deg. The noise of a corner alone is 1 to 3 mm/s.
+// Largest speed of a marker at rest. With a right picture 10 ms late, this speed changes the marker's depth
+// by 0.06 mm, like a camera turn of 0.005 deg. The noise of a corner alone is 1 to 3 mm/s.
 constexpr double kResting_mm_s = 6.0;
 constexpr std::size_t kFewestFrames = 5;
 
@@ -53,7 +53,7 @@ RestingMarker::RestingMarker(const cameras::StereoRig& rig, const coil_tracking:
   tracker_.start(rig_, coil);
 }
 
-/// Of the fastest corner.
+/// Speed of the fastest corner.
 double RestingMarker::speed_mm_s(const health::SquareObservation& now, double now_s) const {
   double moved_mm = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -79,7 +79,8 @@ bool RestingMarker::add(const cameras::StereoFrame& frame) {
   return length.has_value();
 }
 
-/// The frames share the errors of print and calibration: the mean is hardly more certain than one of them.
+/// Computes the mean. The frames share the errors of print and calibration, so it is hardly more certain than
+/// one of them.
 std::optional<health::ScaleObservation> RestingMarker::length() const {
   if (seen_.size() < kFewestFrames) return std::nullopt;
   health::ScaleObservation mean;

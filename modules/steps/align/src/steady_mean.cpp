@@ -6,10 +6,10 @@
 namespace facenav::steps {
 namespace {
 
-// A fifth of the blur of a lens in focus. The noise of a camera moves the estimate by some hundredths.
+// Largest shift of a still face: a fifth of the blur of a lens in focus. A camera's noise moves the estimate
+// by some hundredths.
 constexpr double kSteady_px = 0.15;
-constexpr double kSmooth_px =
-    1.5;  // of the parts that are compared: less noise, and a shift of 1 px is small
+constexpr double kSmooth_px = 1.5;  // blur of the compared parts: less noise, and a shift of 1 px is small
 constexpr int kLeastSide_px = 32;
 
 cv::Mat cut(const cv::Mat& grey, const cv::Rect& region) {
@@ -24,7 +24,7 @@ cv::Mat smooth(const cv::Mat& part) {
   return blurred;
 }
 
-/// How far `part` lies beside `newest`, to first order (Lucas and Kanade), px.
+/// Estimates the shift of `part` relative to `newest`, to first order (Lucas and Kanade), px.
 double shift_px(const cv::Mat& newest, const cv::Mat& across, const cv::Mat& down, const cv::Mat& part) {
   const cv::Mat change = newest - part;
   const cv::Matx22d gradients(across.dot(across), across.dot(down), across.dot(down), down.dot(down));
@@ -32,7 +32,7 @@ double shift_px(const cv::Mat& newest, const cv::Mat& across, const cv::Mat& dow
   return cv::norm(gradients.inv(cv::DECOMP_SVD) * right);
 }
 
-/// A picture's part in quarters: a face that turns about its middle moves them, and not their mean.
+/// A part of a picture in quarters: a face that turns about its middle moves the quarters but not their mean.
 class Quarters {
  public:
   explicit Quarters(const cv::Mat& newest) : newest_(smooth(newest)) {
@@ -63,7 +63,7 @@ struct SteadySum {
     quarters.emplace(sum);
   }
   bool isUsable() const { return region.width >= kLeastSide_px && region.height >= kLeastSide_px; }
-  /// The mean of `count` pictures, in place of the newest one.
+  /// Replaces the newest picture by the mean of `count` pictures.
   void put(int count, const cv::Rect& kept, cv::Mat& grey) const {
     const cv::Rect unchanged = kept & region;
     const cv::Mat own = grey(unchanged).clone();

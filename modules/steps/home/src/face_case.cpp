@@ -1,4 +1,4 @@
-// A case without an MRI: the best face that a recording shows.
+// Makes a case without an MRI from the best face in a recording.
 
 #include "facenav/align/face_model.h"
 #include "facenav/align/film_beginning.h"
@@ -27,7 +27,7 @@ FaceModel measureFrom(measured_face::AlignedFrom from, const FaceRecording& of, 
   return measureFaceModel(*film, first, last, *tracker, of.setup, monitor);
 }
 
-/// Those that the recording has pictures for, the best kind of picture first.
+/// Lists the ways for which the recording has pictures, the best first.
 std::vector<measured_face::AlignedFrom> waysToMeasure(const capture::Recording& recording,
                                                       const std::optional<measured_face::AlignedFrom>& only) {
   std::vector<measured_face::AlignedFrom> ways;
@@ -44,7 +44,7 @@ std::vector<measured_face::AlignedFrom> waysToMeasure(const capture::Recording& 
               recording.folder.string(), "choose another way (dots, plain, film), or record one");
 }
 
-/// Where the coil's marker is seen: at rest in the film, else in the plain pair.
+/// Finds the coil's marker: at rest in the film, else in the plain pair.
 std::optional<health::ScaleObservation> markerOf(const capture::Recording& recording,
                                                  const Registrations& methods,
                                                  const coil_tracking::CoilModel& coil) {
@@ -57,7 +57,7 @@ std::optional<health::ScaleObservation> markerOf(const capture::Recording& recor
   return seen.length;
 }
 
-/// Dots that stand count; of the others, the one with the smaller error.
+/// Returns the face with dots if it is valid; else the one with the smaller error.
 FaceModel bestFace(const FaceRecording& of, const std::optional<measured_face::AlignedFrom>& only,
                    TaskMonitor& monitor) {
   std::optional<FaceModel> best;
@@ -72,7 +72,7 @@ FaceModel bestFace(const FaceRecording& of, const std::optional<measured_face::A
       throw;
     } catch (const Error& error) {
       if (from == measured_face::AlignedFrom::dots)
-        throw;  // moved cameras: no other pictures of them may be taken instead
+        throw;  // moved cameras: no other pictures may be used instead
       if (!refusal) refusal = error;
     }
   }

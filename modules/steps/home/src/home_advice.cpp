@@ -121,7 +121,7 @@ std::set<int> printsOf(const coil_tracking::CoilModel& coil, const std::string& 
   return ids;
 }
 
-/// A print that both pictures show and the coil does not carry, while none of its own is seen.
+/// True if both pictures show a print that the coil does not carry, and none of its own.
 bool showOtherCoil(const cameras::StereoFrame& frame, const coil_tracking::CoilModel& coil) {
   const auto& first = coil.markers.front();
   const std::string dictionary = first.pattern ? std::string("4x4_50") : first.dictionary;

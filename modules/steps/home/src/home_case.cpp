@@ -26,7 +26,7 @@ using HomeJson = nlohmann::ordered_json;
 constexpr const char *kManifest = "home.json", *kFormat = "facenav home case";
 constexpr int kHomeVersion = 1;
 
-/// The named expert's pose, or the only one.
+/// Returns the named expert's pose, or the only one.
 const guidance::Target& expertTarget(const guidance::TreatmentPlan& plan, const std::string& name,
                                      const fs::path& folder) {
   const guidance::Target* chosen = nullptr;
@@ -63,7 +63,8 @@ void requireExpertsCoil(const std::string& coil, const guidance::ExpertPose& exp
               "use the expert's coil, or store the pose again with this one");
 }
 
-/// Of a case with an MRI: the pose and the face must be of one alignment, or their errors would add up.
+/// Throws Error unless pose and face of a case with an MRI are of one alignment; otherwise their errors would
+/// add up.
 void requireSameAlignment(const casefile::CaseStore& store, const std::string& session) {
   const auto folder = casefile::findSession(store.folder(), session);
   if (fs::last_write_time(store.folder() / "alignment.json") <= fs::last_write_time(folder / "poses.csv"))
@@ -92,7 +93,7 @@ FaceModel measuredAtAlignment(const face::FaceDetector& detector, const casefile
   return measureFaceModel(seen.rig, *seen.capture, measured_face::AlignedFrom::dots, setup, monitor);
 }
 
-/// Without what may name people: the note and who changed it.
+/// Removes what may name people: the note and the editors' names.
 guidance::Target withoutNames(guidance::Target target) {
   target.note.clear();
   target.changes.clear();
@@ -102,7 +103,7 @@ guidance::Target withoutNames(guidance::Target target) {
   return target;
 }
 
-/// The coil's file with its patterns and mesh beside it, under plain names.
+/// Copies the coil's file with its patterns and mesh, under plain names.
 void copyCoil(const fs::path& coil_json, const fs::path& case_folder) {
   const auto model = coil_tracking::readCoil(coil_json);
   HomeJson json = HomeJson::parse(readWholeFile(coil_json));
@@ -152,7 +153,7 @@ HomeJson manifestOf(const casefile::CaseStore& store, const guidance::Target& ta
   return json;
 }
 
-/// A folder beside the file that is removed again.
+/// Temporary folder beside the file; removed by the destructor.
 struct PassingFolder {
   explicit PassingFolder(const fs::path& beside) : path(beside.string() + ".tmp_home") {
     fs::remove_all(path);
@@ -179,7 +180,7 @@ HomeJson checkedManifest(const std::map<std::string, std::string>& entries, cons
   return HomeJson::parse(found->second);
 }
 
-/// When the case in the folder was made at the clinic; empty where its manifest does not say so.
+/// Time when the case in the folder was made at the clinic; empty if its manifest lacks it.
 std::string madeUtcOf(const fs::path& case_folder) {
   if (!fs::is_regular_file(case_folder / kManifest)) return {};
   const HomeJson json = HomeJson::parse(readWholeFile(case_folder / kManifest), nullptr, false);

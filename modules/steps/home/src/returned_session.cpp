@@ -24,8 +24,8 @@ constexpr const char *kSummary = "summary.json", *kSentFormat = "facenav session
 constexpr int kSentVersion = 1;
 constexpr const char* kAskAgain = "ask for the file again";
 
-constexpr const char* kNotes = "notes.jsonl";  // both sides add to it
-/// Files of a session that only grow, and those that stand for themselves.
+constexpr const char* kNotes = "notes.jsonl";  // clinic and home both add to it
+/// Files of a session that only grow, and those that are replaced whole.
 const std::set<std::string> kGrowing{"events.jsonl", "pulses.jsonl"},
     kWhole{"report.html", "protocol.json", kNotes};
 
@@ -33,11 +33,11 @@ struct SentSession {
   std::string name;
   int on_target = 0, outside = 0, lost = 0;
   nlohmann::ordered_json summary;
-  ZipEntries files;  // those that the session's folder keeps
+  ZipEntries files;  // those stored in the session's folder
 };
 
 void requireUnchanged(const ZipEntries& entries, const JsonReader& summary, const fs::path& file) {
-  if (!summary.has("sha256")) return;  // older files: the archive has its own checksums
+  if (!summary.has("sha256")) return;  // older files lack it: the archive has its own checksums
   for (const auto& [name, stated] : summary.at("sha256").members()) {
     const auto entry = entries.find(name);
     if (entry == entries.end()) throw Error("'" + name + "' is missing in it", file.string(), kAskAgain);
@@ -86,7 +86,7 @@ void requireSameCase(const casefile::CaseStore& store, const SentSession& sent, 
 
 std::string contentOf(const fs::path& file) { return fs::exists(file) ? readWholeFile(file) : std::string(); }
 
-/// How a session in the case relates to the one that was sent.
+/// Relation of a session in the case to the one that was sent.
 enum class Kinship { same, sent_is_longer, sent_is_shorter, other };
 
 Kinship kinshipOf(const fs::path& folder, const SentSession& sent) {
@@ -104,7 +104,7 @@ Kinship kinshipOf(const fs::path& folder, const SentSession& sent) {
   return is_longer ? Kinship::sent_is_longer : is_shorter ? Kinship::sent_is_shorter : Kinship::same;
 }
 
-/// The lines of both, each once.
+/// Merges the lines of both, each once.
 std::string joined(const std::string& ours, const std::string& theirs) {
   std::string all = ours;
   if (!all.empty() && all.back() != '\n') all += '\n';
@@ -138,7 +138,7 @@ void writeSession(const fs::path& folder, const SentSession& sent, const casefil
   writeWholeFile(folder / casefile::kReturnedFile, returned.dump(1) + "\n", FileAccess::owner_only);
 }
 
-/// What the files hold is what the summary says, also after they were written.
+/// Throws Error unless the files have the summary's counts; also used after writing.
 int requireCounts(const fs::path& folder, const SentSession& sent, const fs::path& file) {
   int on_target = 0, outside = 0, lost = 0, all = 0;
   for (const auto& [pulse, is_excluded, note] : casefile::readSessionPulses(folder).pulses) {
@@ -148,7 +148,7 @@ int requireCounts(const fs::path& folder, const SentSession& sent, const fs::pat
     lost += pulse.status == casefile::PulseStatus::lost;
   }
   const bool is_less = on_target < sent.on_target || outside < sent.outside || lost < sent.lost;
-  if (!is_less) return all;  // pulses that were excluded at home are not in the summary
+  if (!is_less) return all;  // the summary lacks pulses that were excluded at home
   throw Error(
       formatted("holds %d pulses, its summary says %d", all, sent.on_target + sent.outside + sent.lost),
       file.string(), kAskAgain);
@@ -165,12 +165,12 @@ void addSession(const fs::path& folder, const SentSession& sent, const casefile:
     fresh.commit();
   } catch (...) {
     std::error_code ignored;
-    if (has_made_sessions) fs::remove(folder.parent_path(), ignored);  // only where it is empty
+    if (has_made_sessions) fs::remove(folder.parent_path(), ignored);  // only if it is empty
     throw;
   }
 }
 
-/// The whole folder is exchanged at once, so that it is never half of each.
+/// Replaces the whole folder at once, so that it is never a mixture.
 void completeSession(const fs::path& folder, const SentSession& sent, const casefile::CaseStore& store,
                      const fs::path& file, ReturnedSession& returned) {
   WholeFolder fresh(folder, FileAccess::owner_only, Existing::replace);
@@ -192,7 +192,7 @@ ReturnedSession importReturned(const casefile::CaseStore& store, const fs::path&
   requireSameCase(store, sent, file);
   const fs::path sessions = store.folder() / "sessions";
   ReturnedSession returned;
-  for (int count = 1;; ++count) {  // the clinic may have begun a session in the same second
+  for (int count = 1;; ++count) {  // the clinic may have a session of the same second
     const fs::path folder = sessions / (count == 1 ? sent.name : sent.name + formatted("_home%d", count));
     returned.folder = folder;
     if (!fs::exists(folder)) {

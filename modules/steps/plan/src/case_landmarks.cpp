@@ -16,8 +16,8 @@ using surface::Landmark;
 using surface::LandmarkSource;
 using surface::ScalpLandmark;
 
-/// On the skin of Colin27, MNI mm: as measured for the standard 10-05 positions (Oostenveld and Praamstra
-/// 2001, file standard_1005.elc).
+/// Landmark on the skin of Colin27, MNI mm, from the standard 10-05 positions (Oostenveld and Praamstra 2001,
+/// file standard_1005.elc).
 Point<Mni> templateLandmark(Landmark which) {
   switch (which) {
     case Landmark::nasion:
@@ -32,9 +32,10 @@ Point<Mni> templateLandmark(Landmark which) {
   FACENAV_EXPECT(false, "unknown landmark");
 }
 
-/// The atlas is fitted to the brain alone; the face and the skull's base lie outside it. Judgement.
+/// Standard error through the atlas, by judgement: it is fitted to the brain alone, and the face and the
+/// skull's base lie outside it.
 constexpr double kThroughAtlas_mm = 8.0;
-/// Of a person who clicks on a slice or types.
+/// Standard error of a person who clicks on a slice or types.
 constexpr double kByHand_mm = 2.0;
 constexpr double kFurthestFromSkin_mm = 20.0;
 

@@ -13,12 +13,13 @@ std::optional<double> alignedBound95_mm(const casefile::CaseStore& store, const 
   try {
     const auto alignment = store.alignment();
     if (!alignment) return std::nullopt;
-    // The stored bounds hold what the uncertainty does not: a camera that may have turned, an unsure skin.
+    // The stored bounds include errors that the uncertainty lacks: a camera that may have turned, an
+    // uncertain skin.
     double bound_mm = 0;
     const auto& stored = alignment->predicted_tre_p95_mm;
     if (const auto own = stored.find(target.name); own != stored.end())
       bound_mm = own->second;
-    else  // planned since then
+    else  // planned after the alignment
       for (const auto& [ignored, other_mm] : stored) bound_mm = std::max(bound_mm, other_mm);
     if (alignment->uncertainty)
       bound_mm = std::max(

@@ -17,7 +17,7 @@
 namespace facenav::steps {
 namespace {
 
-/// Below the coil's centre where no model of the brain says where the cortex is.
+/// Depth of the cortex below the coil's centre if no model of the brain gives it.
 constexpr double kUsualCortexDepth_mm = 25;
 
 using ExpertPulses = std::vector<const casefile::Pulse*>;
@@ -42,7 +42,7 @@ ExpertPulses onePulse(const casefile::KeptSession& session, int number) {
               formatted("it has %zu pulses", session.pulses.pulses.size()));
 }
 
-/// The name of the target with the most pulses on target; nothing where no pulse was.
+/// Name of the target with the most pulses on target; nothing if no pulse was.
 std::optional<std::string> mostHit(const casefile::KeptSession& session) {
   std::map<std::string, int> hits;
   for (const auto& reviewed : session.pulses.pulses)
@@ -62,7 +62,7 @@ ExpertPulses pulsesOnTarget(const casefile::KeptSession& session, const std::str
   return pulses;
 }
 
-/// Of a session without a target: nobody could say which pulse was on it.
+/// Collects the pulses of a session without a target: all with a pose, since none can be on target.
 ExpertPulses pulsesWithoutTarget(const casefile::KeptSession& session) {
   ExpertPulses pulses;
   for (const auto& reviewed : session.pulses.pulses)
@@ -88,7 +88,7 @@ std::string oneCoilOf(const ExpertPulses& pulses, const casefile::KeptSession& s
                   "choose one pulse with --pulse N");
   if (!coil.empty()) return coil;
   for (auto event = session.events.rbegin(); event != session.events.rend(); ++event)
-    if (event->event == "coil") return event->detail;  // of a session before pulses named their coil
+    if (event->event == "coil") return event->detail;  // older sessions: pulses do not name their coil
   return {};
 }
 
@@ -123,7 +123,7 @@ void requireOnePose(const MedianCoil& median, const casefile::KeptSession& sessi
               session.name, "choose one pulse with --pulse N, or exclude those that slipped");
 }
 
-/// The gap to the skin that was measured at the pulses.
+/// Gap to the skin measured at the pulses.
 double gapOf(const ExpertPulses& pulses) {
   std::vector<double> gaps;
   for (const auto* pulse : pulses)
@@ -135,7 +135,7 @@ Point<Mri> alongAxis(const RigidTransform<Mri, Coil>& mri_T_coil, double mm) {
   return mri_T_coil * Point<Coil>(0, 0, mm);
 }
 
-/// Where the axis meets the brain; else as deep as the session's target lay, or as a cortex usually does.
+/// Point where the axis meets the brain; else at the depth of the session's target, or the usual one.
 Point<Mri> cortexOn(const casefile::CaseStore& store, const RigidTransform<Mri, Coil>& mri_T_coil,
                     const casefile::Pulse& pulse) {
   if (const auto brain = store.brain())

@@ -1,4 +1,4 @@
-// Targets at new places: over the cortex, on the scalp, in a grid, on the other side.
+// Makes targets at new points: over the cortex, on the scalp, in a grid, on the other side.
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where the coil's axis meets the brain, from the scalp inwards; else its place nearest to the brain.
+/// Point where the coil's axis meets the brain, from the scalp inwards; else its point nearest to the brain.
 Point<Mri> cortexOnAxis(const surface::ClosestPoint& brain, const guidance::Target& target) {
   constexpr double kDeepest_mm = 60, kStep_mm = 0.5;
   const Vector3d z = target.mri_T_target.rotation().col(2);
@@ -29,10 +29,10 @@ Point<Mri> cortexOnAxis(const surface::ClosestPoint& brain, const guidance::Targ
   return best;
 }
 
-/// A coil at a place of the scalp with these directions, to be rested.
+/// Makes a coil pose at a point of the scalp with these directions, to be rested on the head.
 guidance::Target standing(const std::string& name, const Vector3d& place_mm, const Vector3d& outwards,
                           const Vector3d& forward, double gap_mm) {
-  constexpr double kDepth_mm = 20;  // of a first cortex point: it tells the side of the head
+  constexpr double kDepth_mm = 20;  // depth of a first cortex point, which determines the side of the head
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear().col(2) = -outwards.normalized();
   pose.linear().col(1) = (forward - forward.dot(pose.linear().col(2)) * pose.linear().col(2)).normalized();

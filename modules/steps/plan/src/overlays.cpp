@@ -19,7 +19,7 @@ using casefile::OverlayKind;
 using casefile::OverlaySpace;
 using Eigen::Vector3d;
 
-/// What a file holds, in its own space.
+/// Content of a file, in its own space.
 struct OverlayContent {
   OverlayKind kind = OverlayKind::map;
   volume::Volume volume;
@@ -29,7 +29,7 @@ struct OverlayContent {
   bool is_template_space = false;
 };
 
-/// 0 and one other value.
+/// True for a volume whose values are 0 and one other.
 bool isMask(const volume::Volume& volume) {
   float other = 0;
   for (const float v : volume.voxels) {
@@ -71,7 +71,7 @@ OverlayContent readOverlayFile(const fs::path& file) {
   return content;
 }
 
-/// Some thousand places of what will be seen, in the file's own space.
+/// Some thousand points of the visible content, in the file's own space.
 std::vector<Vector3d> placesOf(const OverlayContent& content) {
   constexpr std::size_t kEnough = 4000;
   std::vector<Vector3d> all;
@@ -103,7 +103,7 @@ atlas::AtlasMap atlasFor(const casefile::CaseStore& store) {
               "prepare it again with --replace (its targets are kept)");
 }
 
-/// Half of it at least must lie where the MRI is.
+/// Throws Error unless at least half of the content lies inside the MRI.
 void requireAtHead(const casefile::CaseStore& store, const OverlayContent& content, OverlaySpace space,
                    const fs::path& file) {
   const volume::VoxelGrid grid = store.headMask().grid;
@@ -149,7 +149,7 @@ std::string freeOverlayName(const std::vector<OverlayEntry>& entries, OverlayKin
   }
 }
 
-/// The first number that no file of the folder has.
+/// Returns the first number that no file of the folder has.
 std::string freeOverlayFile(const fs::path& case_folder, OverlayKind kind) {
   const char* ending = kind == OverlayKind::tracts ? ".tck" : kind == OverlayKind::mesh ? ".ply" : ".nii.gz";
   for (int n = 1;; ++n) {
@@ -183,9 +183,9 @@ std::vector<OverlayEntry>::iterator findEntry(std::vector<OverlayEntry>& entries
   return found;
 }
 
-/// A volume of MNI space as it lies in this head.
+/// Resamples a volume of MNI space to this head.
 volume::Volume inHead(const volume::Volume& mni, const atlas::AtlasMap& atlas, const volume::VoxelGrid& mri) {
-  constexpr double kSpacing_mm = 1.5;  // of maps of 2 mm, so that their peaks stay
+  constexpr double kSpacing_mm = 1.5;  // finer than maps of 2 mm, so that their peaks remain
   volume::Volume native;
   native.grid = volume::isotropicGrid(mri, kSpacing_mm);
   native.voxels.assign(native.grid.count(), 0.f);

@@ -36,7 +36,7 @@ void PlanEditor::apply(const guidance::TreatmentPlan& next, const std::string& a
 }
 
 guidance::Target PlanEditor::stamped(guidance::Target target, const std::string& what) const {
-  constexpr double kOneStep_s = 10;  // a key held down is one change
+  constexpr double kOneStep_s = 10;  // repeated changes within this time are one step: a key held down
   const guidance::Change change{isoUtc(std::chrono::system_clock::now()),
                                 case_.by ? case_.by() : std::string(), what};
   const auto isSame = [&](const guidance::Change& last) {
@@ -53,7 +53,7 @@ void PlanEditor::requireUnlocked() const {
     throw PlanRefused(PlanRefusal::locked, "the target '" + active_ + "' is locked", "unlock it first");
 }
 
-/// The plan with the seed's grid made anew: targets of it that a hand edited or locked stay as they are.
+/// Returns the plan with the seed's grid made anew; targets of it that were edited by hand or locked stay.
 guidance::TreatmentPlan PlanEditor::withGrid(guidance::TreatmentPlan plan,
                                              const guidance::Target& seed) const {
   const auto isKept = [](const guidance::Target& t) { return t.grid_place->is_edited || t.is_locked; };

@@ -83,7 +83,7 @@ PresetPlace placeOf(const Preset& preset, const atlas::AtlasMap* atlas, const He
   const auto& sites = measures.eegSites();
   if (preset.name == "beam-f3") {
     const auto& beam = measures.beamF3();
-    const double sd_mm = sites.find("F3").sd_mm;  // of the same landmarks
+    const double sd_mm = sites.find("F3").sd_mm;  // from the same landmarks
     return {std::nullopt, beam.point,
             formatted("nasion-inion %.0f mm, tragus-tragus %.0f mm, circumference %.0f mm: x %.0f mm, y %.0f "
                       "mm, +- %.0f mm by the landmarks",

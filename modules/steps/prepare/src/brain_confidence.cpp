@@ -11,7 +11,7 @@ namespace facenav::steps {
 namespace {
 
 constexpr double kCertain_mm = 2.0;       // one or two voxels: as good as drawn by hand
-constexpr double kLookBelow = 0.8;        // a region with lower confidence is named
+constexpr double kLookBelow = 0.8;        // regions with lower confidence are named
 constexpr std::size_t kLeastPlaces = 30;  // of a region's surface
 constexpr std::size_t kMostWords = 3;
 

@@ -8,7 +8,7 @@
 namespace facenav::steps {
 namespace {
 
-// Spacing of the cortex' grid: a sulcus is 1-2 mm wide.
+// Spacing of the cortex' grid; a sulcus is 1-2 mm wide.
 constexpr double kFinest_mm = 0.8, kCoarsest_mm = 1.0;
 constexpr int kSmoothing = 10;  // removes the voxels' steps, keeps the width of a gyrus
 

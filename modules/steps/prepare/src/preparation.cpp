@@ -21,7 +21,7 @@ struct HeadPart {
   surface::NavigationCheck check;
   std::vector<std::string> warnings;
 };
-/// Null if no face can be aligned to the scalp: the case is complete without it.
+/// Returns the field, or null if no face can be aligned to the scalp: the case is complete without it.
 std::shared_ptr<const registration::ScalpField> fieldOf(const surface::ScalpSurface& scalp) {
   if (!scalp.has_face) return {};
   try {
@@ -50,8 +50,8 @@ HeadPart prepareHead(const volume::Volume& mri, const segmentation::Segmenter& s
   return {std::move(result.mask), std::move(scalp), std::move(check), std::move(result.warnings)};
 }
 
-/// The findings of the check that must be acknowledged. Findings that the scalp's own findings contain, or
-/// that hold for every file of this kind, are shown but need no acknowledgement.
+/// Findings of the check that must be acknowledged. Findings that repeat the scalp's own, or that apply to
+/// every file of this kind, are shown but need no acknowledgement.
 std::vector<std::string> worthAcknowledging(const surface::NavigationCheck& check) {
   std::vector<std::string> lines;
   for (const auto& finding : check.findings) {
@@ -123,8 +123,8 @@ BrainPart prepareBrain(const volume::Volume& mri, const segmentation::Segmenter&
   return part;
 }
 
-/// A listener for one of two threads: forwards reports to `parent`, one at a time. The call throws Cancelled
-/// when the parent was cancelled.
+/// Makes a listener for one of two threads: forwards reports to `parent`, one at a time. The call throws
+/// Cancelled when the parent was cancelled.
 TaskMonitor::Listener forwardTo(TaskMonitor& parent, std::mutex& mutex) {
   return [&parent, &mutex](const std::string& step, double fraction) {
     std::lock_guard lock(mutex);

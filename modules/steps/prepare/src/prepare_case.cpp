@@ -17,7 +17,7 @@ namespace facenav::steps {
 namespace fs = std::filesystem;
 namespace {
 
-/// The atlas, or a warning if there is none: a case is valid without MNI coordinates.
+/// Returns the atlas, or a warning if there is none: a case is valid without MNI coordinates.
 std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& warnings) {
   try {
     return atlas::readColin27();
@@ -27,14 +27,14 @@ std::optional<atlas::BrainTemplate> installedAtlas(std::vector<std::string>& war
   }
 }
 
-/// Empty if the face was not measured.
+/// Draws the face's measures; empty if the face was not measured.
 RgbImage faceMeasuresPicture(const casefile::PreparedCase& prepared) {
   const auto& check = prepared.navigation_check;
   if (!check || check->landmarks.points.empty()) return {};
   return pictures::drawFaceMeasures(prepared.scalp, check->landmarks, check->measures);
 }
 
-/// Empty if there is no cortex.
+/// Draws the surface distance; empty if there is no cortex.
 RgbImage distancePicture(const casefile::PreparedCase& prepared) {
   if (!prepared.cortex || !prepared.brain_quality) return {};
   const auto& q = *prepared.brain_quality;
@@ -42,14 +42,14 @@ RgbImage distancePicture(const casefile::PreparedCase& prepared) {
       *prepared.cortex, {{q.surface_median_mm, q.surface_p95_mm, 0}, {q.model_median_mm, q.model_p95_mm, 0}});
 }
 
-/// At most `most` bytes of UTF-8 text; never cuts a character.
+/// Returns at most `most` bytes of UTF-8 text; never cuts a character.
 std::string shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
   return text.substr(0, most);
 }
 
-/// Empty if no label was asked for, or if none is available (the description then says so).
+/// Returns the label; empty if none was asked for or is available (the description then reports it).
 std::string labelOf(const PrepareRequest& request, dicom::ImportedVolume& imported) {
   if (!request.is_labelled_by_patient) return casefile::asLabel(request.label);
   const std::string name = imported.series ? dicom::nameInWords(dicom::patientOf(*imported.series)) : "";
@@ -93,7 +93,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
                              {"brain", request.brain_segmenter},
                              {"nifti_transform", request.nifti_transform}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
-  // Drawn while files are written.
+  // Draws while files are written.
   auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
   auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });
   auto store = casefile::CaseStore::create(request.case_folder, prepared, {step}, request.replace,

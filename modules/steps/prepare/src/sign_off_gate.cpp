@@ -7,7 +7,7 @@
 namespace facenav::steps {
 namespace {
 
-/// Why the sign-off does not hold.
+/// Describes why there is no valid sign-off.
 std::string missingWords(const casefile::SignOffStatus& status) {
   const std::string not_saved = "a correction of the brain is not saved";
   if (!status.last) return status.has_draft ? not_saved : "nobody has signed it off";

@@ -13,7 +13,7 @@ namespace facenav::steps {
 namespace {
 
 constexpr int kLeastFits = 3;
-constexpr std::size_t kMostSought = 200;  // rows that vote for an offset
+constexpr std::size_t kMostSought = 200;  // largest number of rows that vote for an offset
 constexpr CsvRules kTypedByHand{true, true};
 
 struct TimedPulse {
@@ -21,7 +21,7 @@ struct TimedPulse {
   int number;
 };
 
-/// By time, on the clock that the file speaks of.
+/// Returns the pulses by time, on the file's clock.
 std::vector<TimedPulse> timed(const std::vector<casefile::ReviewedPulse>& pulses, bool is_utc) {
   std::vector<TimedPulse> times;
   for (const auto& reviewed : pulses) {
@@ -58,7 +58,8 @@ struct Window {
   int votes;
 };
 
-/// Every row with every pulse votes for an offset; one window of twice the reach per vote, most votes first.
+/// Finds candidate offsets: every pair of row and pulse votes for one; one window of twice the reach per
+/// vote, most votes first.
 std::vector<Window> windowsOf(const std::vector<MepRow>& rows, const std::vector<TimedPulse>& pulses,
                               double reach_s) {
   std::vector<double> votes_s;
@@ -103,7 +104,7 @@ void requireClear(const FoundOffset& found, const MepFile& file, const MepImport
                 file.name, remedy);
 }
 
-/// The pulse of each row that has exactly one; the others are named.
+/// Returns the pulse of each row that has exactly one; lists the others.
 std::map<int, std::vector<const MepRow*>> rowsByPulse(const MepFile& file,
                                                       const std::vector<TimedPulse>& pulses, double reach_s,
                                                       MepMatch& match) {

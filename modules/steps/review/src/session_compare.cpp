@@ -15,7 +15,7 @@ bool counts(const casefile::ReviewedPulse& reviewed, const std::string& target) 
          reviewed.pulse.mri_T_coil();
 }
 
-/// In the order of their first pulse with a pose.
+/// Names of the targets in the order of their first pulse with a pose.
 std::vector<std::string> targetNamesOf(const std::vector<casefile::ReviewedPulse>& pulses) {
   std::vector<std::string> names;
   for (const auto& reviewed : pulses) {
@@ -26,7 +26,7 @@ std::vector<std::string> targetNamesOf(const std::vector<casefile::ReviewedPulse
   return names;
 }
 
-/// The eigenvector of the largest eigenvalue of the sum of q q^T: q and -q count alike.
+/// Mean rotation: the eigenvector of the largest eigenvalue of the sum of q q^T; q and -q are equivalent.
 Eigen::Quaterniond meanOf(const std::vector<Eigen::Quaterniond>& rotations) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const auto& q : rotations) sum += q.coeffs() * q.coeffs().transpose();
@@ -62,7 +62,7 @@ TargetReturn returnTo(const std::string& name, const std::vector<casefile::Revie
   back.second = *meanCoil(second, name);
   const auto &before = back.first.mri_T_coil, &after = back.second.mri_T_coil;
   guidance::Target as_target;
-  // The first session's coil is what the second one had to come back to.
+  // The first session's coil pose is the target of the second one.
   as_target.mri_T_target = before.reframe<Mri, frames::Target>();
   const auto values = guidance::evaluate(as_target, after);
   back.distance_mm = values.distance_mm;

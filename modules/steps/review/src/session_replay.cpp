@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSameTime_s = 1e-3;
 
-/// Times of a live session count from another zero than those of its recording: only steps are compared then.
+/// Throws Error unless the frames agree. A live session's times have another zero than those of its
+/// recording, so only time steps are compared then.
 void requireSameFrames(const casefile::SessionTrack& track, const capture::RecordingPictures& pictures,
                        const fs::path& recording) {
   const auto& numbers = pictures.numbers();
@@ -35,7 +36,7 @@ void requireSameFrames(const casefile::SessionTrack& track, const capture::Recor
                 "choose the recording of this session");
 }
 
-/// A crash may have cut a pulse's pictures short.
+/// Repairs the evidence of a session that does not run: a crash may have cut a pulse's pictures short.
 void mendUnlessRunning(const fs::path& session_folder) {
   if (!casefile::sessionSoFar(session_folder).is_running) casefile::mendEvidence(session_folder);
 }

@@ -11,13 +11,13 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kAssumedFocal = 1.2;  // of the picture's width; tilts need no better
+constexpr double kAssumedFocal = 1.2;  // share of the picture's width; accurate enough for tilts
 constexpr int kCells = 3;
 constexpr int kFewestHeld = 3;
-constexpr double kDark_grey = 40;     // mean of a picture in which no board may be found
-constexpr double kTremble = 6.0;      // times the motion of a board that stands
-constexpr double kTilt = 0.2;         // sine of a tilt that counts
-constexpr double kSpread = 1.25;      // nearest against farthest board
+constexpr double kDark_grey = 40;     // mean of a picture too dark to find a board
+constexpr double kTremble = 6.0;      // times the motion of a board at rest
+constexpr double kTilt = 0.2;         // sine of the smallest significant tilt
+constexpr double kSpread = 1.25;      // smallest ratio of nearest to farthest board
 constexpr int kCellsThatMayMiss = 4;  // of 18: a board may not reach every corner in both pictures
 
 const char* const kCellNames[] = {"upper left", "top",        "upper right", "left edge",  "middle",
@@ -34,7 +34,7 @@ std::vector<bool> cellsOf(const std::vector<cameras::BoardView>& views, bool is_
   return cells;
 }
 
-/// Largest motion of a corner that both show, px; large where they share too few.
+/// Largest motion of a corner present in both, px; large if they share too few.
 double motion_px(const cameras::SeenCorners& a, const cameras::SeenCorners& b) {
   std::map<int, cv::Point2f> places;
   for (std::size_t i = 0; i < a.px.size(); ++i) places[a.ids[i]] = a.px[i];
@@ -126,7 +126,7 @@ BoardCollector::Shape BoardCollector::shapeOf(const cameras::SeenCorners& corner
   shape.size = focal_px * board_.square_mm * board_.columns / (shift[2] * picture_.width);
   cv::Matx33d rotation;
   cv::Rodrigues(turn, rotation);
-  // Towards the camera: a board is read in any orientation, its normal must not flip.
+  // Turns the normal towards the camera: a board is read in any orientation, and its normal must not flip.
   const double sign = rotation(2, 2) > 0 ? -1.0 : 1.0;
   shape.normal = {sign * rotation(0, 2), sign * rotation(1, 2)};
   return shape;
@@ -140,7 +140,7 @@ bool BoardCollector::isNew(const Shape& shape) const {
   });
 }
 
-/// The newest is the last of held_.
+/// True if the board is still. The newest sight is the last of held_.
 bool BoardCollector::isStill(double now_s) {
   const Held& newest = held_.back();
   for (std::size_t i = held_.size(); i-- > 0;)
@@ -168,7 +168,7 @@ void BoardCollector::judge(const cv::Mat& left, const cv::Mat& right, const std:
     return;
   }
   const Shape shape = shapeOf(sight.left);
-  // Of pictures taken for themselves there are no others: all count until there are enough.
+  // Accepts every view taken on request until there are enough, because no others will come.
   if (!isNew(shape) && (is_live || int(views_.size()) >= rules_.wanted_views)) {
     sight.state = BoardSight::State::known;
     sight.reason = "this view is there already: " + wish();
@@ -197,7 +197,7 @@ BoardSight BoardCollector::add(const cameras::StereoFrame& frame) {
   held_.push_back({frame.captured.s, sight.left, sight.right});
   if (!isStill(frame.captured.s)) {
     sight.reason = "hold the board still";
-    // A blurred board that stands seems to tremble.
+    // A blurred board at rest seems to tremble.
     if (const auto blurred = isNearlyStill() ? fault(frame.left, sight.left) : std::string();
         !blurred.empty()) {
       sight.state = BoardSight::State::refused;
@@ -221,7 +221,7 @@ BoardCoverage BoardCollector::coverage() const {
   all.right_cells = cellsOf(views_, false, picture_);
   double nearest = 0, farthest = 1e9;
   for (const auto& shape : shapes_) {
-    // The normal points to the camera: where it points left, the board's right edge is nearer.
+    // The normal points to the camera: if it points left, the board's right edge is nearer.
     all.is_left_far |= shape.normal.x < -kTilt;
     all.is_right_far |= shape.normal.x > kTilt;
     all.is_top_far |= shape.normal.y < -kTilt;

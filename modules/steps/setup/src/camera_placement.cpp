@@ -13,7 +13,7 @@ constexpr int kWhite = 250;
 
 using Subject = PlacementFinding::Subject;
 
-/// Of one direction; `grey` as 32-bit.
+/// Blur in one direction; `grey` as 32-bit.
 double blurAlong(const cv::Mat& grey, bool is_across) {
   const cv::Size box = is_across ? cv::Size(kBlurLength, 1) : cv::Size(1, kBlurLength);
   cv::Mat blurred;
@@ -38,10 +38,10 @@ FaceLight lightOf(const cv::Mat& image, const cv::Rect& face) {
           double(cv::countNonZero(skin > kWhite)) / double(std::max<std::size_t>(1, skin.total()))};
 }
 
-/// Which way a camera must turn so that its picture shows the face in the middle; empty: none.
+/// Direction in which to turn a camera so that the face is in the middle of its picture; empty: none.
 std::string wayToTurn(const cv::Rect& face, const cv::Size& size, double edge_share) {
   const double edge_x = edge_share * size.width, edge_y = edge_share * size.height;
-  if (face.x < edge_x) return "to its left";  // as the camera looks
+  if (face.x < edge_x) return "to its left";  // seen in the camera's viewing direction
   if (face.br().x > size.width - edge_x) return "to its right";
   if (face.y < edge_y) return "upwards";
   if (face.br().y > size.height - edge_y) return "downwards";
@@ -114,7 +114,7 @@ std::optional<face::FaceLandmarks> followFace(const face::FaceDetector& detector
 
 double blurEffect(const cv::Mat& grey) {
   cv::Mat floating;
-  // A camera's noise is no detail.
+  // Removes the camera's noise, which is no detail.
   cv::GaussianBlur(grey, floating, {}, 0.7);
   floating.convertTo(floating, CV_32F);
   return std::max(blurAlong(floating, true), blurAlong(floating, false));

@@ -12,12 +12,12 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kNewPose_rad = 2.0 * kRadPerDeg;  // poses nearer than this to the last say the same
+constexpr double kNewPose_rad = 2.0 * kRadPerDeg;  // smallest difference between two collected poses
 constexpr std::size_t kFewestPoses = 24, kMostPoses = 150, kFewestJigs = 20;
 constexpr double kGoodPivot_mm = 0.4;  // one standard deviation of the tip in the marker's frame
-constexpr double kSlips_mm = 1.5;      // rms of a tip that does not stay in its place
-constexpr double kStands_s = 4.0;      // a coil that shows no new pose for so long is not turned
-constexpr double kLookEvery_s = 0.5;   // for other coils' markers
+constexpr double kSlips_mm = 1.5;      // rms of a tip that moves from its place
+constexpr double kStands_s = 4.0;      // time without a new pose after which the coil is not turned
+constexpr double kLookEvery_s = 0.5;   // time between searches for other coils' markers
 
 double sigma_mm(const coil_tracking::Pivot& pivot) { return std::sqrt(pivot.covariance.trace() / 3.0); }
 
@@ -58,7 +58,7 @@ void CoilSetup::startJig(const coil_tracking::CoilModel& jig) {
 
 void CoilSetup::startWave() {
   stop();
-  tracker_->start(rig_, coil_);  // what it learnt before belongs to no wave
+  tracker_->start(rig_, coil_);  // forgets what it learnt before the wave
   wave_.emplace(rig_);
   stage_ = Stage::wave;
 }

@@ -6,11 +6,12 @@
 namespace facenav::steps {
 namespace {
 
-// Screens and projectors show a picture up to 100 ms late, and a camera's exposure must lie wholly after it.
+// Delay until a shown picture is used: screens and projectors show it up to 100 ms late, and the exposure
+// must lie wholly after it.
 constexpr double kProjectorSettle_s = 0.2;
-constexpr double kLongestSilence_s = 3.0;  // of the cameras
-// Median error of places that the fit has not seen. A still face measures below 0.5 px (the virtual room);
-// what moved by a millimetre at 600 mm is off by two pixels of a projector of 1280 px.
+constexpr double kLongestSilence_s = 3.0;  // longest time without a pair from the cameras
+// Largest median error of points held out from the fit; above it, the scene moved. A still face has less than
+// 0.5 px in the virtual room; a movement of 1 mm at 600 mm gives two pixels of a projector of 1280 px.
 constexpr double kMovedScene_px = 2.0;
 
 }  // namespace

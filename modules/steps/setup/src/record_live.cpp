@@ -11,11 +11,11 @@ namespace facenav::steps {
 namespace fs = std::filesystem;
 namespace {
 
-// Of a picture's pixels, as PNG. Grey pictures of webcams with noise take 0.5 to 0.75 of a byte a pixel.
+// Estimated size of a picture as PNG. Noisy grey pictures of webcams take 0.5 to 0.75 bytes a pixel.
 constexpr double kBytesPerPixel = 0.8;
 constexpr double kSpare_bytes = 50e6;
 
-/// The nearest folder above that exists.
+/// Returns the nearest existing folder above.
 fs::path existingAbove(fs::path folder) {
   std::error_code ignored;
   folder = fs::absolute(folder);
@@ -38,7 +38,7 @@ std::size_t queueLimit(const RecordRequest& request, const cameras::StereoRig& r
   return std::max<std::size_t>(30, request.most_waiting_bytes / std::max<std::size_t>(1, pair_bytes));
 }
 
-/// What the frames tell, while they are recorded.
+/// Statistics of the frames during recording.
 struct RecordingSoFar {
   std::optional<double> first_s;
   double last_s = 0;
@@ -63,7 +63,8 @@ bool wasCancelled(TaskMonitor& monitor, double fraction) {
   return false;
 }
 
-/// The next frame; null at the end. A camera that fails after the first frame ends the recording with words.
+/// Returns the next frame; null at the end. A camera that fails after the first frame ends the recording with
+/// words.
 std::shared_ptr<const cameras::StereoFrame> nextOrWords(capture::FrameSource& source, bool has_frames,
                                                         std::string& ended_by) {
   try {

@@ -6,7 +6,7 @@ namespace facenav::steps {
 namespace {
 
 constexpr int kBoardFrames = 4, kMarkerFrames = 12;  // in each of the two places
-constexpr int kUnclearTimes = 4;  // after so many times the frames of one place, an unclear result is said
+constexpr int kUnclearTimes = 4;  // an unclear result is reported after this multiple of one place's frames
 
 double shareOf(int frames, int wanted) { return std::min(1.0, double(frames) / wanted); }
 

@@ -18,9 +18,9 @@ struct RigSetup::Implementation {
         results(steps.results()) {}
 
   std::unique_ptr<capture::FrameSource> source;
-  SetupSteps steps;  // of the thread
+  SetupSteps steps;  // used only by the thread
 
-  mutable std::mutex mutex;  // of all below
+  mutable std::mutex mutex;  // guards all members below
   std::deque<std::function<void(SetupSteps&)>> orders;
   std::shared_ptr<const SetupView> view = std::make_shared<SetupView>();
   SetupSteps::Results results;

@@ -9,7 +9,7 @@ namespace facenav::steps {
 namespace {
 
 constexpr int kStartMarkerFrames = 15;  // half a second
-constexpr int kMostMarkerFrames = 60;   // that keep the face waiting
+constexpr int kMostMarkerFrames = 60;   // longest time in frames that the marker delays the face
 constexpr const char* kStartUnclear =
     "whether the calibration holds is not clear yet: both cameras must see the face or the coil's marker";
 
@@ -76,12 +76,12 @@ void RigStartCheck::noteSettings(std::vector<std::string> differs, std::vector<s
 
 void RigStartCheck::add(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
-  // The marker takes half a second where it is seen, and a face seconds: the marker comes first.
+  // The marker takes half a second if it is seen, a face seconds: so the marker comes first.
   if (!self.hasMarker() && self.has_tracker && self.addMarker(frame)) return;
   self.face.add(frame);
 }
 
-/// True while the marker is seen and not measured yet.
+/// Measures the marker. Returns true while it is seen and not measured yet.
 bool RigStartCheck::Implementation::addMarker(const cameras::StereoFrame& frame) {
   const int before = marker_frames;
   marker.add(frame);
@@ -98,8 +98,8 @@ void RigStartCheck::Implementation::useMarker(RigStart& now) const {
   if (now.state == health::RigState::holds) now.earlier.reset();
 }
 
-/// The face cannot contradict a marker that holds: a head that moved between two exposures looks like a
-/// camera that moved.
+/// Combines both. The face cannot contradict a valid marker: a head that moved between two exposures looks
+/// like a camera that moved.
 void RigStartCheck::Implementation::useBoth(RigStart& now) const {
   useMarker(now);
   now.by = RigStart::By::both;

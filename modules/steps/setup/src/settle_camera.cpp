@@ -5,9 +5,9 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kSettle_s = 1.5;  // a camera's automatic exposure has settled by then
+constexpr double kSettle_s = 1.5;  // time in which a camera's automatic exposure settles
 
-/// The values that the camera has now: kept, so that they are the same at each start.
+/// Stores the camera's current values, so that they are the same at each start.
 void keepLocked(const capture::CameraState& state, capture::CameraSettings& settings) {
   const auto keep = [&](const char* name, std::optional<double>& value) {
     for (const auto& control : state.controls)
@@ -41,7 +41,7 @@ NewPair openNewPair(const capture::CameraBackends& backends, const std::string& 
   NewPair pair;
   pair.left = settledCamera(backends, capture::findCamera(found, left), settings);
   pair.right = settledCamera(backends, capture::findCamera(found, right), settings);
-  cameras::StereoRig size;  // nothing else is known yet
+  cameras::StereoRig size;  // only the size is known yet
   size.width_px = settings.width_px;
   size.height_px = settings.height_px;
   pair.source = capture::openCameraPair(size, capture::openCamera(backends, pair.left.identity),

@@ -8,7 +8,7 @@
 namespace facenav::steps {
 namespace {
 
-constexpr int kFewestSetupViews = 8;  // that finishViews() takes
+constexpr int kFewestSetupViews = 8;  // fewest views for finishViews()
 constexpr double kUsualViews = 15.0;  // for the progress
 constexpr const char* kCalibrateFirst = "calibrate the cameras first";
 
@@ -87,7 +87,7 @@ void SetupSteps::addView(SetupView& now) {
     now.sentence = "view taken: " + collector_.wish();
   else
     now.sentence = sight.state == BoardSight::State::none ? collector_.wish() : sight.reason;
-  // A calibration that failed left its reason: it stays until a new view is there.
+  // Shows the reason of a failed calibration until there is a new view.
   if (!calibration_words_.empty() && collector_.views().empty()) now.sentence = calibration_words_;
 }
 
@@ -122,7 +122,7 @@ void SetupSteps::calibrateNow(SetupView& now, const Publish& publish) {
     is_calibrated_ = true;
   } catch (const Error& error) {
     now.sentence = calibration_words_ = error.what();
-    collector_.clear();  // with the views that do not fit, more of them would not help
+    collector_.clear();  // adding views to those that do not fit would not help
     is_calibrated_ = false;
   }
 }

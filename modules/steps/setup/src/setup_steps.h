@@ -1,5 +1,5 @@
 #pragma once
-// SetupSteps: what the four steps of the set-up do with each pair, without a thread (setup/rig_setup.h).
+// SetupSteps: processes each pair in the four steps of the set-up, without a thread (setup/rig_setup.h).
 
 #include <functional>
 
@@ -12,8 +12,8 @@ class SetupSteps {
  public:
   SetupSteps(const SetupOptions& options, SetupMethods methods, const cv::Size& size);
 
-  /// The view of this frame. `publish` is called with a view that asks for patience before something takes
-  /// seconds.
+  /// Processes a frame and returns its view. `publish` is called with a view that asks for patience before
+  /// something takes seconds.
   SetupView look(const std::shared_ptr<const cameras::StereoFrame>& frame,
                  const std::function<void(const SetupView&)>& publish);
 

@@ -9,21 +9,21 @@
 namespace facenav::steps {
 namespace {
 
-// Chosen: a hand waves a coil at 200 to 400 mm/s without effort; the tracker learns from 80 mm/s on.
+// Smallest speed of a wave, by choice: a hand waves a coil at 200 to 400 mm/s without effort, and the tracker
+// learns from 80 mm/s on.
 constexpr double kQuick_mm_s = 150;
-constexpr double kLongestGap_s = 0.25;  // between frames: the time in a longer one does not count
-constexpr double kEnough_s = 6.0;       // of waving in which nothing shows
-constexpr double kSettles_s = 1.0;      // of waving in which the times stay as they are
-constexpr double kInStepShare = 0.5;    // of the time waved: a pair in step gives a pose in 9 of 10 frames, 9
-                                      // ms late in 1 of 50 (a made marker waved at 250 mm/s, 20 ms a picture)
-constexpr double kStays_s = 1e-3;  // of a whole picture: moves a coil of 500 mm/s by 0.25 mm at most
+constexpr double kLongestGap_s = 0.25;  // longer times between frames are not counted
+constexpr double kEnough_s = 6.0;       // duration of waving after which there is no rolling shutter
+constexpr double kSettles_s = 1.0;      // duration of waving in which the times must not change
+constexpr double kInStepShare = 0.5;    // smallest share of waved frames with a pose, if the pair is in step
+constexpr double kStays_s = 1e-3;       // of a whole picture: moves a coil of 500 mm/s by 0.25 mm at most
 
 }  // namespace
 
 void ShutterWave::add(const coil_tracking::CoilResult& seen, double now_s) {
   const double since_s = now_s - last_s_;
   const bool is_next = since_s > 0 && since_s < kLongestGap_s;
-  // A quick coil may have no pose as long as the row times are not known.
+  // A quick coil may have no pose while the row times are unknown.
   const bool has_no_pose_yet =
       !seen && (seen.reason() == LostReason::camera || seen.reason() == LostReason::high_residual);
   is_seen_ = seen || has_no_pose_yet;
@@ -42,7 +42,8 @@ void ShutterWave::add(const coil_tracking::CoilResult& seen, double now_s) {
   settle(is_quick, since_s);
 }
 
-/// The first frames are fitted with a wrong row time, and one bad frame falsifies the next ones.
+/// Waits until the times settle: the first frames are fitted with a wrong row time, and one bad frame
+/// falsifies the next ones.
 void ShutterWave::settle(bool is_quick, double since_s) {
   const auto stays = [&](std::size_t side) {
     return std::abs((*measured_s_)[side] - (*settling_s_)[side]) * rig_.height_px < kStays_s;
@@ -73,7 +74,7 @@ std::string ShutterWave::words() const {
     return formatted(
         "the shutter is known: a picture is read in %.0f ms by the left camera, in %.0f ms by the right",
         readout_ms((*measured_s_)[0]), readout_ms((*measured_s_)[1]));
-  // A quick coil that two pictures show at two moments is in no one place.
+  // The pictures are of two moments if a quick coil has no pose in most frames.
   if (isDone() && posed_s_ < kInStepShare * waved_s_)
     return "the waved coil is hardly ever in one place for both cameras: they do not expose at the same "
            "time; "

@@ -15,16 +15,16 @@ using health::RigState;
 
 constexpr std::size_t kWantedPairs = 3, kMostPairs = 7, kAgreeingPairs = 2;
 constexpr double kBetweenPairs_s = 0.4, kBetweenLooks_s = 1.0;  // with a face, without one
-/// An upright face is looked for; now and then one in any roll, which takes ten times as long.
+/// Number of searches for an upright face per search in any roll, which takes ten times as long.
 constexpr int kLooksPerRoll = 4;
-/// Rows of two pairs agree within this share of the larger. On five moments of one real person, with the
-/// right camera turned by 0.1 to 0.5 deg, they differ by a tenth (nod) to a third (roll).
+/// Rows of two pairs agree within this share of the larger. Smaller is stricter. Evidence:
+/// resources/doc/evidence.md.
 constexpr double kAgreeShare = 0.5;
-/// A face at rest: within a thirtieth of a second, by which exposures without a trigger may differ, it moves
-/// less than a diagnosis can see.
+/// Limits of a face at rest: within a thirtieth of a second, the largest delay between exposures without a
+/// trigger, it moves less than the diagnosis can detect.
 constexpr double kExposuresApart_s = 1.0 / 30, kAtRest_px = 0.3, kLongestBetween_s = 0.2;
 
-/// What one pair of a face says of a kept rig; pictures of two moments say nothing.
+/// Maps a pair's diagnosis to the state of a stored rig; pictures of two moments are unclear.
 health::RigState stateOf(health::RigState diagnosed) {
   return diagnosed == health::RigState::out_of_step ? health::RigState::unclear : diagnosed;
 }
@@ -50,7 +50,7 @@ bool StartFace::seesFace(const cameras::StereoFrame& frame) {
   return find(frame.left, left_) && find(frame.right, right_);
 }
 
-/// Against the frame before it; false where that is too long ago.
+/// Compares the frame with the one before; false if that is too long ago.
 bool StartFace::isAtRest(const cameras::StereoFrame& frame) const {
   const double between_s = frame.captured - before_.captured;
   if (before_.left.size() != frame.left.size() || between_s <= 0 || between_s > kLongestBetween_s)
@@ -98,7 +98,7 @@ bool StartFace::agree(const Pair& a, const Pair& b) {
   return more_px - less_px < kAgreeShare * more_px && std::abs(a.row_px - b.row_px) < kAgreeShare * more_px;
 }
 
-/// The largest group of pairs that say the same.
+/// Returns the largest group of pairs that agree.
 std::vector<const StartFace::Pair*> StartFace::agreeing() const {
   std::vector<const Pair*> best;
   for (const auto& first : pairs_) {

@@ -1,8 +1,7 @@
 #pragma once
-// StartFace: what a person's face says about a kept rig at its start. A few pairs in which both cameras see
-// the face are matched without the rig and diagnosed (health/pair_diagnosis.h). A head that moves between
-// two exposures looks like a camera that moved: only pairs of a face at rest count, and only those that
-// agree.
+// StartFace: checks a stored rig at its start by a person's face. A few pairs in which both cameras see the
+// face are matched without the rig and diagnosed (health/pair_diagnosis.h). A head that moves between two
+// exposures looks like a camera that moved: only pairs of a face at rest are used, and only those that agree.
 
 #include <memory>
 #include <optional>
@@ -17,12 +16,12 @@ namespace facenav::steps {
 
 class StartFace {
  public:
-  /// `detector` null: no face is looked for.
+  /// Starts a check. `detector` null: no search for a face.
   StartFace(const cameras::StereoRig& rig, std::shared_ptr<const face::FaceDetector> detector);
-  /// Frames in the order of their times, several a second. Looks at one now and then; that takes a second
-  /// where both cameras see a face, else tenths of one.
+  /// Adds a frame; call it in the order of their times, several a second. Processes one now and then; that
+  /// takes a second if both cameras see a face, else tenths of one.
   void add(const cameras::StereoFrame& frame);
-  /// Unclear until enough pairs agree.
+  /// State of the rig; unclear until enough pairs agree.
   health::RigState state() const;
   /// One line; empty while it is unclear.
   std::string words() const;
@@ -43,9 +42,9 @@ class StartFace {
   std::shared_ptr<const face::FaceDetector> detector_;
   std::vector<Pair> pairs_;
   cameras::StereoFrame before_;                      // the last frame
-  std::optional<face::FaceLandmarks> left_, right_;  // of the last frame that was looked at
+  std::optional<face::FaceLandmarks> left_, right_;  // of the last processed frame
   int looks_ = 0;
-  std::optional<double> next_s_;  // when the next frame is looked at
+  std::optional<double> next_s_;  // time at which the next frame is processed
 };
 
 }  // namespace facenav::steps

@@ -11,9 +11,10 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kSaidUnclear_s = 6.0;  // a person has sat down and looked up by then
+constexpr double kSaidUnclear_s = 6.0;  // time in which a person sits down and looks up
 constexpr std::chrono::milliseconds kVerifyWait(100);
-// Once something was said, what is still looked for (a marker that is not in view) must not keep a core busy.
+// Pause after the first result, so that a continued search (for a marker that is not in view) does not keep a
+// core busy.
 constexpr std::chrono::milliseconds kBetweenLater(100);
 
 bool saysTheSame(const RigStart& a, const RigStart& b) {
@@ -33,7 +34,7 @@ struct VerifiedCameras::Implementation {
   }
 
   std::unique_ptr<capture::FrameSource> cameras;
-  RigStartCheck check;  // of the thread
+  RigStartCheck check;  // used only by the thread
   const std::string repair;
   const Told told;
   LatestValue<cameras::StereoFrame> newest;
@@ -62,7 +63,7 @@ void VerifiedCameras::Implementation::judge(const cameras::StereoFrame& frame, d
   }
 }
 
-/// A check that fails leaves the rig unclear; the cameras go on.
+/// Runs the check. If it fails, the rig is unclear and the cameras continue.
 void VerifiedCameras::Implementation::run() {
   std::optional<double> first_s;
   try {

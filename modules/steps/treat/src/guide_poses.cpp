@@ -10,7 +10,7 @@
 namespace facenav::steps {
 namespace {
 
-/// Guidance needs camera_T_mri and camera_T_coil. Throws Error for rows that state other frames.
+/// Throws Error unless the poses are camera_T_mri and camera_T_coil, which guidance needs.
 void requirePlacedPoses(const std::vector<casefile::PoseRow>& poses) {
   bool has_marker_poses = false;
   for (const auto& row : poses) {
@@ -30,7 +30,7 @@ std::optional<double> predictedError_mm(const casefile::CaseStore& store, const 
   const auto plan = store.targets();
   const auto& wanted = plan.find(target);
   auto predicted_mm = alignment->predictedError_mm(wanted);
-  // The figure stored without a covariance holds the skin's share.
+  // The value stored without a covariance includes the skin's share.
   if (predicted_mm && alignment->uncertainty)
     predicted_mm = std::hypot(*predicted_mm, surface::skinDoubtUnder_mm(store.scalp(), wanted.scalp_point));
   return predicted_mm;
@@ -44,7 +44,7 @@ std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
   const auto plan = store.targets();
   const auto& target = plan.find(target_name);
   const double predicted_mm =
-      predictedError_mm(store, target_name).value_or(0.0);  // 0 in guidance.csv: not known
+      predictedError_mm(store, target_name).value_or(0.0);  // 0 in guidance.csv: unknown
 
   std::map<std::int64_t, std::pair<const casefile::PoseRow*, const casefile::PoseRow*>> frames;
   for (const auto& row : poses)

@@ -57,7 +57,7 @@ std::vector<guidance::Target> huntingSites(const guidance::Target& seed, const s
         auto target = x_mm == 0 && y_mm == 0 ? seed : guidance::movedAlongScalp(seed, scalp, x_mm, y_mm);
         target.name = seed.name + " " + std::to_string(row + 1) + "/" + std::to_string(column + 1);
         sites.push_back({std::hypot(x_mm, y_mm), std::move(target)});
-      } catch (const Error&) {  // no scalp there: beyond the scan, or over the ear
+      } catch (const Error&) {  // no scalp there: outside the scan, or over the ear
       }
     }
   std::stable_sort(sites.begin(), sites.end(),

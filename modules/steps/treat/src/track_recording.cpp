@@ -12,15 +12,15 @@ namespace facenav::steps {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the head tracker starts from, and the head's pose then.
+/// What the head tracker starts from, and the head's pose at that time.
 struct Start {
   head_tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
-  // What the face was aligned to, if that was done now.
+  // Skin that the face was aligned to, if aligned in this run.
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
 };
 
-/// The first frame in which both cameras see a face. Tracking without an alignment starts there.
+/// Returns the first frame in which both cameras see a face. Tracking without an alignment starts there.
 std::shared_ptr<const cameras::StereoFrame> firstFrameWithFace(const Registrations& methods,
                                                                const capture::Recording& recording,
                                                                TaskMonitor& monitor) {
@@ -46,8 +46,8 @@ Start startWithoutCase(const Registrations& methods, const capture::Recording& r
   return {{*firstFrameWithFace(methods, recording, monitor), {}, {}}, std::nullopt};
 }
 
-/// For another tool's alignment.json without its images. It fits this recording only if the head in the first
-/// frame is where it was at that alignment; this cannot be checked here.
+/// Starts from another tool's alignment.json without its images. It fits this recording only if the head in
+/// the first frame is where it was at that alignment; this cannot be checked here.
 Start startFromStoredPose(const Registrations& methods, const casefile::CaseStore& store,
                           const capture::Recording& recording, TaskMonitor& monitor) {
   const auto alignment = store.alignment();
@@ -60,7 +60,8 @@ Start startFromStoredPose(const Registrations& methods, const casefile::CaseStor
   return start;
 }
 
-/// A film says more of the face than the one frame of it that the case keeps: its alignment is not repeated.
+/// True if the case's alignment is from a film. It is not repeated, because the case keeps only one frame of
+/// the film.
 bool isFromFilm(const casefile::CaseStore& store) {
   const auto alignment = store.alignment();
   return alignment && alignment->from == measured_face::nameOf(measured_face::AlignedFrom::film);

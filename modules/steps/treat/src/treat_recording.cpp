@@ -20,9 +20,9 @@
 namespace facenav::steps {
 namespace {
 
-constexpr std::chrono::milliseconds kLook(5);  // at the newest state; frames come 16 ms apart or more
+constexpr std::chrono::milliseconds kLook(5);  // between looks; frames come 16 ms apart or more
 
-/// Of live cameras: their rig alone.
+/// Opens the recording; with live cameras, only their rig.
 TreatmentFilm filmOf(const TreatRecordingRequest& request) {
   if (!request.live) return openTreatmentFilm(request.recording);
   TreatmentFilm film{{}, coil_tracking::defaultCoil(), {}};
@@ -31,7 +31,7 @@ TreatmentFilm filmOf(const TreatRecordingRequest& request) {
   return film;
 }
 
-/// Live, the pictures of the case's alignment are used as they were then.
+/// Makes the alignment order. For live cameras, the pictures of the case's alignment are used again.
 AlignOrder orderOf(const casefile::CaseStore& store, const TreatRecordingRequest& request) {
   AlignOrder order{request.aligner};
   order.stored_pair_stands_in = true;
@@ -56,7 +56,7 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   requireSignOff(store, request.override.has_value());
   auto film = filmOf(request);
   std::filesystem::path goes_on;
-  if (request.goes_on) {  // the face as it was at the alignment of that session, not as it is now
+  if (request.goes_on) {  // uses that session's alignment, not the current face
     goes_on = sessionToGoOnWith(request.case_folder, request.session).folder;
     film.recording.capture.reset();
   }
@@ -93,7 +93,7 @@ TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingReq
       }};
 }
 
-/// Of a session that goes on, the target that it had.
+/// Returns the target; a continued session keeps its own.
 std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment, std::string name) {
   const auto plan = treatment.store.targets();
   if (name.empty() && !treatment.goes_on.empty()) name = casefile::sessionSoFar(treatment.goes_on).target;
@@ -101,7 +101,7 @@ std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment,
   return chosenTarget(name.empty() ? plan.targets.front() : plan.find(name), treatment.alignment.get());
 }
 
-/// Of the whole session; less than 0: it has no end.
+/// Share of the whole session that is done; less than 0: it has no end.
 double doneOf(const Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
               std::int64_t last) {
   if (request.live && request.live->seconds <= 0) return -1;
@@ -109,7 +109,7 @@ double doneOf(const Treatment& treatment, const TreatRecordingRequest& request, 
   return double(last + 1) / (double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes));
 }
 
-/// Until the end of the recording or of the live time; the time that each frame took.
+/// Follows the session until the end of the recording or of the live time. Returns the time of each frame.
 std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
                            TaskMonitor& monitor) {
   std::vector<double> processing_ms;
@@ -125,7 +125,7 @@ std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& re
     if (request.live && done >= 1) break;
     try {
       monitor.report(inWords(treatment, *state), std::min(1.0, done));
-    } catch (const Cancelled&) {  // the session ends as it should, with all that was logged
+    } catch (const Cancelled&) {  // the session ends normally, with its whole log
       break;
     }
     std::this_thread::sleep_for(kLook);
@@ -149,7 +149,7 @@ std::string inWords(const Treatment& treatment, const session::NavigationState& 
 
 TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRecordingRequest& request,
                                      TaskMonitor& monitor) {
-  std::vector<std::unique_ptr<links::PulseSource>> sources;  // wrong words first, before anything takes time
+  std::vector<std::unique_ptr<links::PulseSource>> sources;  // first: wrong words fail at once
   for (const auto& words : request.sources) sources.push_back(links::openPulseSource(words));
   const auto wanted = treatmentOf(methods, request, monitor);
   const auto target = targetOf(wanted, request.target);

@@ -16,7 +16,8 @@
 namespace facenav::steps {
 namespace {
 
-/// Key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without them.
+/// Reads key frames of the face from earlier sessions. Empty if a file is damaged: the session runs without
+/// them.
 std::vector<casefile::StoredKeyFrame> storedKeyFrames(const std::filesystem::path& case_folder) {
   try {
     return casefile::readKeyFrames(case_folder);
@@ -34,7 +35,7 @@ void keepKeyFrames(const session::Session& session, const std::filesystem::path&
   }
 }
 
-/// Nothing without one, or where it cannot be read: the session then counts without a goal, and that is
+/// Reads the protocol. Nothing if there is none or it cannot be read; the session then has no goal, which is
 /// logged.
 std::optional<casefile::Protocol> protocolFor(const std::filesystem::path& case_folder,
                                               session::TreatmentLog& log) {
@@ -93,11 +94,11 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
     const TreatmentRequest& request,
     const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
     CameraTurnover& cameras) {
-  // Shared, because cameras that come back are opened again by a copy of the function.
+  // Shared, because a copy of the function reopens cameras that were away.
   const auto preview = std::make_shared<std::shared_ptr<const void>>(std::move(cameras.preview));
   const TreatmentDevices devices{
       makeNavigator, [preview, open = cameras.open, is_live = request.is_live, film = request.recording] {
-        preview->reset();  // first: a camera can be opened only once
+        preview->reset();  // first, because a camera can be opened only once
         return is_live ? open() : capture::makeSource(film);
       }};
   return std::make_shared<PreparedTreatment>(prepareTreatment(request, devices));
@@ -170,14 +171,14 @@ std::optional<std::string> Treatment::tryToListen(const std::string& source) {
   }
 }
 
-/// The target's own dose wins.
+/// Sets the plan; the target's own dose has priority.
 void Treatment::plan(const guidance::Target* target) {
   planned_pulses_.reset();
   auto plan = protocol_;
   if (target && target->dose) plan = casefile::Protocol{target->name, 1, *target->dose, {}, {}};
   if (!plan) return;
   planned_pulses_ = plan->dose.pulses;
-  try {  // the session's own copy: the report compares with what was planned then
+  try {  // the session's own copy, with which the report compares
     casefile::writeProtocol(*plan, session_folder_ / "protocol.json", FileAccess::owner_only);
   } catch (const Error& error) {
     log_->addEvent("protocol", "its copy is not kept: " + withoutFolders(error.what()));
@@ -233,7 +234,7 @@ void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
   noteOtherCoil();
 }
 
-/// A pose is right only for the coil that it was found with.
+/// Logs the tracked coil when it changes, because a pose is right only for the coil that it was found with.
 void Treatment::noteOtherCoil() {
   if (!target_) return;
   if (const auto caution = otherCoilCaution(*target_, coil_.name)) log_->addEvent("other coil", *caution);
@@ -245,7 +246,7 @@ void Treatment::judgeTip(TipVerdict verdict, const guidance::TipReading& reading
   log_->addEvent(report::session_events::kTip, inWords(verdict, reading));
   if (verdict != TipVerdict::wrong) return;
   session_->judgeAlignment(true);
-  try {  // no later session may start with it
+  try {  // so that no later session starts with it
     casefile::setAlignmentAside(case_folder_);
   } catch (const Error& error) {
     logWarning(error.what());
@@ -256,7 +257,7 @@ std::shared_ptr<const guidance::TipCheck> Treatment::makeTipCheck() const {
   return seeAlignment(casefile::CaseStore::open(case_folder_), *alignment_).check;
 }
 
-/// A check that could not measure enough is still asked for.
+/// True if a check is due, also if the last one could not measure enough.
 bool Treatment::isCheckDue() {
   const auto finding = session_->latest()->check;
   if (finding && finding->number != last_check_) {
@@ -272,13 +273,13 @@ void Treatment::end() {
   sources_.clear();
   const CamerasLearnt learnt = learntOf(*session_->latest(), rig_);
   session_->stop();
-  try {  // the log and the cameras are let go, whatever the disk says
+  try {  // log and cameras are released even if the disk fails
     if (keepLearnt_ && !learnt.isEmpty()) keepLearnt_(learnt);
   } catch (const std::exception& error) {
     logWarning(std::string("what was learnt of the cameras was not kept: ") + error.what());
   }
   keepKeyFrames(*session_, case_folder_);
-  log_.reset();  // before the session: its thread reads it
+  log_.reset();  // before the session, which its thread reads
   session_.reset();
 }
 

@@ -28,7 +28,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// A folder's name: "Figure-8 70 mm" -> "figure-8-70-mm".
+/// Returns a folder name: "Figure-8 70 mm" -> "figure-8-70-mm".
 std::string slugOf(const std::string& name) {
   std::string slug;
   for (const char c : lower(name)) {
@@ -94,7 +94,7 @@ void requireOwnMarker(const coil_tracking::CoilModel& model, const fs::path& own
   }
 }
 
-/// Copies the file that `value` names beside the original; the copy's name stands in its place.
+/// Copies the file that `value` names to the coil's new folder and replaces `value` by the copy's name.
 void takeAlong(CoilJson& value, const fs::path& from, const fs::path& to) {
   const fs::path source = from.parent_path() / value.get<std::string>(), name = source.filename();
   writeWholeFile(to / name, readWholeFile(source));

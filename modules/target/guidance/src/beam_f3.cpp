@@ -9,10 +9,10 @@
 namespace facenav::guidance {
 namespace {
 
-// The angles of F7 and Fp1 round the flat map. Fp1's is 288 in the article; the calculator has 298.
+// Angles of F7 and Fp1 round the flat map, as in the calculator. The article has 288 for Fp1.
 constexpr double kF7_rad = 324 * kRadPerDeg, kFp1_rad = 298 * kRadPerDeg;
 constexpr double kPartOfArc = 0.4;    // from Cz to the circumference
-constexpr double kFlatToTape = 0.91;  // of the calculator; 0.9 in the article
+constexpr double kFlatToTape = 0.91;  // as in the calculator; the article has 0.9
 
 void requireHead(const char* what, double value_mm) {
   if (value_mm >= 100 && value_mm <= 1000) return;
@@ -26,7 +26,7 @@ BeamF3Lengths beamF3Lengths(double nasion_inion_mm, double tragus_tragus_mm, dou
   requireHead("way from tragus to tragus", tragus_tragus_mm);
   requireHead("circumference", circumference_mm);
   const double ahead_mm = kPartOfArc * nasion_inion_mm, beside_mm = kPartOfArc * tragus_tragus_mm;
-  // y = a x - ahead / 2 is the line through Fz, y = b (x - beside / 2) the one through C3.
+  // y = a x - ahead / 2 is the line through Fz, y = b (x - beside / 2) the line through C3.
   const double a = (beside_mm * std::sin(kF7_rad) + ahead_mm / 2) / beside_mm;
   const double b = ahead_mm * std::sin(kFp1_rad) / (ahead_mm * std::cos(kFp1_rad) - beside_mm / 2);
   const double x = (ahead_mm - beside_mm * b) / (2 * (a - b));

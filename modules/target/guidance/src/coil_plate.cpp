@@ -19,7 +19,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The axes after the smallest rotation that brings z onto `z`.
+/// Returns the axes after the smallest rotation that brings z onto `z`.
 Matrix3d carried(const Matrix3d& axes, const Vector3d& z) {
   const Eigen::Quaterniond turn = rotationBetween(axes.col(2), z);
   return (turn * Eigen::Quaterniond(axes)).normalized().toRotationMatrix();
@@ -50,7 +50,7 @@ class RestingPlate {
     constexpr double kStill_rad = 1e-4;
     for (int round = 0; round < kMostRounds; ++round) {
       const Vector2d slope = leastTilt(tangent.col(2));
-      const double part = round < kMostRounds / 2 ? 1.0 : 0.5;  // outlines that catch another bump swing
+      const double part = round < kMostRounds / 2 ? 1.0 : 0.5;  // then smaller: the pose may oscillate
       axes_ = carried(axes_, sloped(part * slope));
       if (slope.norm() < kStill_rad) break;
     }
@@ -67,7 +67,7 @@ class RestingPlate {
     return *height;
   }
 
-  /// The coil's z with these slopes in the present axes.
+  /// Returns the coil's z with these slopes in the present axes.
   Vector3d sloped(const Vector2d& slope) const {
     return (axes_.col(2) + slope.x() * axes_.col(0) + slope.y() * axes_.col(1)).normalized();
   }
@@ -76,8 +76,8 @@ class RestingPlate {
     return local.head<2>() / local.z();
   }
 
-  /// Turns the axis until it is the skin's normal where it leaves the head. Stays as planned where that does
-  /// not settle nearby: a cortex point as deep as the skin is curved.
+  /// Turns the axis until it is the skin's normal where it leaves the head. Keeps the planned axis if the
+  /// iteration does not converge nearby: the cortex point then lies near the skin's centre of curvature.
   void findTangent() {
     const Matrix3d planned = axes_;
     constexpr int kMostRounds = 40;
@@ -97,7 +97,8 @@ class RestingPlate {
     if (step_rad > kSettled_rad) axes_ = planned;
   }
 
-  /// Slopes, in the present axes, of the plate nearest to the tangent one whose centre is low enough.
+  /// Slopes, in the present axes, of the plate with the smallest tilt from the tangent one whose centre is
+  /// low enough.
   Vector2d leastTilt(const Vector3d& tangent_z) const {
     constexpr double kAboveLowest_mm = 0.1;
     const auto places = skinUnder(under_plate_, plate_, axes_, pivot_mm_);
@@ -105,7 +106,7 @@ class RestingPlate {
     const double allowed = skinHeight() + settingsOf<PlateRest>().flat_mm;
     if (heightOfPlate(places, flat) <= allowed) return flat;
     const auto pressed = pressedSlope(places);
-    if (!pressed) return flat;  // skin on one side only: the plate stays level and stands on its edge
+    if (!pressed) return flat;  // skin on one side only: the plate stays level and rests on its edge
     const double enough = std::max(allowed, heightOfPlate(places, *pressed) + kAboveLowest_mm);
     double low = 0, high = 1;  // the height falls from `flat` to `pressed`: it is convex between them
     for (int halving = 0; halving < 30; ++halving) {
@@ -115,8 +116,8 @@ class RestingPlate {
     return flat + high * (*pressed - flat);
   }
 
-  static constexpr double kTravel_mm = 60;     // that the axis may move over the skin
-  static constexpr double kUnderAxis_mm = 90;  // kTravel_mm and the patch of the normal
+  static constexpr double kTravel_mm = 60;     // largest path of the axis over the skin
+  static constexpr double kUnderAxis_mm = 90;  // kTravel_mm plus the patch of the normal
 
   const Target& target_;
   const CoilPlate& plate_;
@@ -125,8 +126,8 @@ class RestingPlate {
   surface::TriangleMesh under_axis_, under_plate_;
 };
 
-/// The target with these axes, its axis through `pivot_mm`, lowered onto the skin until the plate touches,
-/// then lifted by the gap.
+/// Returns the target with these axes, its axis through `pivot_mm`, lowered onto the skin until the plate
+/// touches, then lifted by the gap.
 Target lowered(Target target, const Matrix3d& axes, const Vector3d& pivot_mm, double gap_mm,
                const surface::TriangleMesh& skin, const CoilPlate& plate) {
   const auto on_axis = heightOnAxis(skin, axes, pivot_mm);
@@ -198,7 +199,7 @@ Target restOnHead(const Target& target, const surface::ScalpSurface& scalp, cons
   RestingPlate resting(target, scalp.mesh, plate, aim);
   const Matrix3d axes = resting.findAxes();
   Target rested = lowered(target, axes, resting.pivot_mm(), gap_mm, resting.skin(), plate);
-  if (handleAngle(rested, scalp).reference != handle.reference) return rested;  // carried, not turned
+  if (handleAngle(rested, scalp).reference != handle.reference) return rested;  // not turned
   const Matrix3d turned = withHandleAngle(rested, scalp, handle.angle_rad).mri_T_target.rotation();
   return lowered(rested, turned, resting.pivot_mm(), gap_mm, resting.skin(), plate);
 }

@@ -47,7 +47,7 @@ class SitePlacer {
   }
 
  private:
-  /// The middle of both tapes that pass through it.
+  /// Sets Cz to the middle of both tapes that pass through it.
   void findVertex() {
     constexpr int kMostRounds = 40;
     constexpr double kAboveAll_mm = 200, kStill_mm = 0.01;
@@ -71,7 +71,7 @@ class SitePlacer {
   }
   const Vector3d& at(const std::string& name) const { return placed_.at(name).point.mm; }
 
-  /// Halfway, along the tape `left` - `middle` - `right`, between the middle and either end.
+  /// Places the points halfway between the middle and either end, along the tape `left` - `middle` - `right`.
   void between(const std::string& left, const std::string& middle, const std::string& right,
                const std::string& left_half, const std::string& right_half) {
     const ScalpPath tape = scalp_.tape(at(left), at(middle), at(right));
@@ -94,7 +94,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Two directions along the skin at a place.
+/// Returns two directions along the skin at a point.
 std::array<Vector3d, 2> alongSkin(const ScalpPaths& scalp, const Vector3d& p_mm) {
   const Vector3d out = scalp.onSkin(p_mm).normal.v;
   const Vector3d up = std::abs(out.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitY();

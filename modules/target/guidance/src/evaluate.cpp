@@ -17,8 +17,8 @@ double twistAboutZ_rad(const Eigen::Matrix3d& rotation) {
   return twist_rad;
 }
 
-/// The smallest rotation (about an axis perpendicular to z) that aligns the coil's z with `z_target`, as its
-/// x and y components.
+/// Smallest rotation (about an axis perpendicular to z) that aligns the coil's z with `z_target`, as its x
+/// and y components.
 Eigen::Vector2d tiltToward_rad(const Eigen::Vector3d& z_target) {
   const double sine = std::hypot(z_target.x(), z_target.y());
   const double tilt_rad = std::atan2(sine, z_target.z());

@@ -10,7 +10,8 @@
 namespace facenav::guidance {
 namespace {
 
-/// Above it, the projection of anterior onto the coil's plane is shorter than 0.436 = sqrt(1 - 0.9^2).
+/// Limit above which the projection of anterior onto the coil's plane is shorter than 0.436 = sqrt(1 -
+/// 0.9^2).
 constexpr double kMostAlongAnterior = 0.9;
 
 /// x of the head's mid-sagittal plane: the middle of the scalp's extent (the world origin may lie anywhere).
@@ -30,8 +31,8 @@ TangentDirections tangentDirections(const surface::TriangleMesh& scalp, const Ei
   const Eigen::Vector3d wanted = has_anterior ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   directions.forward = (wanted - wanted.dot(z) * z).normalized();
   directions.medial = z.cross(directions.forward);
-  // Over the vertex x tells which direction is medial. On the side of the head, where x is nearly along z, up
-  // is medial.
+  // Over the vertex, x determines which direction is medial. On the side of the head, where x is nearly along
+  // z, medial is up.
   const double sign = midline_x_mm(scalp) > cortex_point.mm.x() ? 1.0 : -1.0;
   if (directions.medial.dot(Eigen::Vector3d(sign, 0, has_anterior ? 1 : 0)) < 0)
     directions.medial = -directions.medial;

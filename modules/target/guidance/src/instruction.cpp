@@ -27,8 +27,8 @@ std::string rounded(double value, const std::string& unit) {
 }
 std::string degrees(double angle_rad) { return rounded(angle_rad * kDegPerRad, "°"); }
 
-/// The Mri axis closest to `direction`, in the patient's words. Left and right win a near tie (over M1 the
-/// tangent plane points left and down equally).
+/// Names the Mri axis closest to `direction`, in the patient's terms. Left and right win a near tie (over M1
+/// the tangent plane points left and down equally).
 std::string patientDirection(const Eigen::Vector3d& direction) {
   const Eigen::Vector3d weight(1.3 * std::abs(direction.x()), std::abs(direction.y()),
                                std::abs(direction.z()));
@@ -40,8 +40,8 @@ std::string patientDirection(const Eigen::Vector3d& direction) {
   return is_positive ? "up, towards the top of the head" : "down, towards the neck";
 }
 
-/// The larger component of the lateral offset, along two axes of the tangent plane: front-back (up-down over
-/// forehead and occiput) and perpendicular to it.
+/// Describes the larger component of the lateral offset, along two axes of the tangent plane: front-back
+/// (up-down over forehead and occiput) and perpendicular to it.
 std::string moveWords(const Target& target, const GuidanceValues& values) {
   const Eigen::Matrix3d mri_R_target = target.mri_T_target.rotation();
   const Eigen::Vector3d z = mri_R_target.col(2);

@@ -25,7 +25,7 @@ MapValue mapAt(const Eigen::Vector3d& p_mm, const std::vector<MepSite>& sites, d
   return {weights > 0 ? sum_uv / weights : 0.0, std::sqrt(nearest2_mm2)};
 }
 
-/// A third of a triangle for each of its vertices that reaches the threshold.
+/// Area at or above the threshold: each vertex that reaches it contributes a third of its triangles.
 double areaAbove_mm2(const surface::TriangleMesh& surface, const std::vector<float>& mep_uv,
                      double threshold_uv) {
   double area_mm2 = 0;

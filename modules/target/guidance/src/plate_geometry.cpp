@@ -11,7 +11,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kReach_mm = 60;  // below the highest: no plate reaches round the head that far
+constexpr double kReach_mm = 60;  // below the highest skin: no plate reaches further round the head
 
 OverPlate over(const Vector3d& p_mm, const Matrix3d& axes, const Vector3d& pivot_mm) {
   const Vector3d in_coil = axes.transpose() * (p_mm - pivot_mm);
@@ -32,7 +32,7 @@ std::optional<double> heightAt(const Triangle& t, const Vector2d& at) {
   return t[0].z() + s * (t[1].z() - t[0].z()) + r * (t[2].z() - t[0].z());
 }
 
-/// Calls take(height) for the places where the triangle's edges cross the outline, and for the outline's
+/// Calls take(height) at the points where the triangle's edges cross the outline, and at the outline's
 /// corners over the triangle.
 template <class Take>
 void alongOutline(const Triangle& t, const std::vector<Vector2d>& outline, Take take) {
@@ -145,7 +145,7 @@ std::optional<double> heightOnAxis(const surface::TriangleMesh& skin, const Matr
                    &c = skin.vertices_mm[std::size_t(t[2])];
     const OverPlate first = over(a, axes, pivot_mm);
     const double longest2 = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
-    if (first.head<2>().squaredNorm() > longest2) continue;  // too far from the axis to hold it
+    if (first.head<2>().squaredNorm() > longest2) continue;  // too far from the axis to contain it
     const Triangle triangle{first, over(b, axes, pivot_mm), over(c, axes, pivot_mm)};
     if (const auto height = heightAt(triangle, Vector2d::Zero()))
       top = std::max(top.value_or(*height), *height);
@@ -177,9 +177,9 @@ double heightOfPlate(const std::vector<OverPlate>& places, const Vector2d& slope
 }
 
 std::optional<Vector2d> pressedSlope(const std::vector<OverPlate>& places) {
-  // The facet of the upper hull that the axis meets: three far, low places surround the axis at first; each
-  // round takes the place that stands highest over the facet, in exchange for a corner, so that the axis
-  // stays inside. The facet only rises, so this ends.
+  // Finds the facet of the upper hull that the axis meets. At first three far, low points surround the axis.
+  // Each round replaces a corner by the point that is highest over the facet, so that the axis stays inside.
+  // The facet only rises, so the loop ends.
   constexpr double kFar_mm = 1e3, kLow_mm = -1e5, kTouching_mm = 1e-6;
   constexpr int kMostRounds = 500;
   Triangle facet;

@@ -12,7 +12,7 @@ struct TangentDirections {
   HandleReference reference = HandleReference::anterior;
 };
 
-/// For a coil whose axis `z` (unit) points into the head at `cortex_point`.
+/// Directions for a coil whose axis `z` (unit) points into the head at `cortex_point`.
 TangentDirections tangentDirections(const surface::TriangleMesh& scalp, const Eigen::Vector3d& z,
                                     const Point<Mri>& cortex_point);
 

@@ -40,7 +40,7 @@ class GridLayer {
  private:
   static Vector3d left(const GridPoint& p) { return p.outwards.cross(p.forward); }  // the coil's x
 
-  /// `outwards` is the side to look from; the mean normal of the skin takes its place.
+  /// Projects a point onto the surface. The result's normal is the mean one there; `outwards` gives its side.
   GridPoint at(const Vector3d& p_mm, const Vector3d& outwards, const Vector3d& forward) const {
     GridPoint point;
     point.place_mm = paths_.onSkin(p_mm).point.mm;
@@ -54,7 +54,8 @@ class GridLayer {
     return point;
   }
 
-  /// The place after a tape of this length, < 0 backwards, with the handle's direction carried along.
+  /// Returns the point at the end of a tape of this length (< 0: backwards), with the handle's direction
+  /// transported along.
   GridPoint moved(const GridPoint& from, const Vector3d& ahead, double length_mm) const {
     if (std::abs(length_mm) < 1e-9) return from;
     const double sign = length_mm > 0 ? 1.0 : -1.0;

@@ -66,7 +66,7 @@ Json toJson(const ExpertPose& expert) {
   return json;
 }
 
-/// The members that older files lack.
+/// Reads the members that older files lack.
 void readRecord(const JsonReader& json, Target& target) {
   if (json.has("lift_mm")) target.lift_mm = json.at("lift_mm").number();
   target.is_locked = json.has("locked");
@@ -77,7 +77,7 @@ void readRecord(const JsonReader& json, Target& target) {
   if (json.has("changes")) target.changes = readChanges(json.at("changes"));
 }
 
-/// A member that is absent says what a default says.
+/// Writes a member, or erases it if it has no value (an absent member means the default).
 void setOrErase(Json& json, const char* key, const std::optional<Json>& value) {
   if (value)
     json[key] = *value;
@@ -122,7 +122,7 @@ Target readTarget(const JsonReader& json) {
   return target;
 }
 
-/// Content of the file that will be replaced, for the keys unknown to FaceNav; empty if it cannot be read.
+/// Reads the file that will be replaced, for its keys unknown to FaceNav; empty if it cannot be read.
 Json previousContent(const std::filesystem::path& path) {
   try {
     Json json = Json::parse(readWholeFile(path));

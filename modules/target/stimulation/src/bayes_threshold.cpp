@@ -7,14 +7,14 @@
 namespace facenav::stimulation {
 namespace {
 
-// Thresholds above the stimulator's output are possible, and must not be pressed below it.
+// The grid goes above 100 %: thresholds above the stimulator's output exist and must not be forced below it.
 constexpr double kLowestCell_pct = 1, kHighestCell_pct = 150, kStep_pct = 0.25;
 constexpr double kLeastProbability = 1e-12;  // one answer alone never excludes a threshold for good
 constexpr double kTail = 0.025;
 
 double thresholdAt(std::size_t cell) { return kLowestCell_pct + double(cell) * kStep_pct; }
 
-/// Probabilities of the grid's thresholds, together 1.
+/// Probabilities of the grid's thresholds; their sum is 1.
 std::vector<double> posterior(const std::vector<ThresholdAnswer>& answers, const ThresholdRules& rules) {
   std::vector<double> logs(std::size_t(std::lround((kHighestCell_pct - kLowestCell_pct) / kStep_pct)) + 1);
   for (std::size_t cell = 0; cell < logs.size(); ++cell) {
@@ -51,8 +51,8 @@ double quantileOf(const std::vector<double>& probabilities, double share) {
   return kHighestCell_pct;
 }
 
-/// The posterior is too sure: it takes the spread of the response curve as known, which differs from person
-/// to person. Its 95 % interval is widened about the median.
+/// Widens the 95 % interval about the median. The posterior is too narrow: it assumes a known spread of the
+/// response curve, but that differs between people.
 std::array<double, 2> widened(const std::vector<double>& probabilities, double factor) {
   const double middle = quantileOf(probabilities, 0.5);
   return {std::max(0.0, middle + factor * (quantileOf(probabilities, kTail) - middle)),

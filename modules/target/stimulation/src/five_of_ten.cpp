@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kEnough = 5, kOf = 10;
 
-/// The level that is tried now, and how it went so far.
+/// The current level and its answers so far.
 class Levels {
  public:
   explicit Levels(const ThresholdRules& rules) : rules_(rules), level_(rules.first_pct) {}
@@ -44,7 +44,7 @@ class Levels {
     const bool is_sure = misses_ == 0 && hits_ >= rules_.sure_responses;
     if (is_sure || (isAtFullOutput() && isPassed())) return beginDescent();
     if (isAtFullOutput())
-      is_done_ = isFailed();  // no way further up: the rule decides here
+      is_done_ = isFailed();  // no level above: the rule decides here
     else if (misses_ > 0)
       goTo(level_ + rules_.rise_pct);
   }
@@ -67,7 +67,7 @@ class Levels {
   double level_;
   int hits_ = 0, misses_ = 0;
   bool is_rising_ = true, is_done_ = false;
-  std::optional<double> passed_;  // the lowest level passed
+  std::optional<double> passed_;  // the lowest level passed so far
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// The two searches behind thresholdAfter().
+// The two searches that thresholdAfter() chooses from.
 
 #include "facenav/stimulation/threshold.h"
 #include "facenav/stimulation/threshold_rules.h"

@@ -9,13 +9,13 @@
 namespace facenav::stimulation {
 namespace {
 
-constexpr double kFloor_v = 1e-7;       // of the recruitment curve
+constexpr double kFloor_v = 1e-7;       // lowest value of the recruitment curve
 constexpr double kLeastShown_v = 1e-8;  // no amplitude is smaller
 constexpr double kSmallest_pct = 1e-9;  // distance from the onset; below it nothing is evoked
 constexpr int kExcitabilityNodes = 41, kNoiseNodes = 9;
 constexpr double kLowest_pct = 30, kHighest_pct = 100;
 
-/// z with the given share below it, by bisection.
+/// Quantile of the standard normal distribution, by bisection.
 double normalQuantile(double share) {
   double low = -9, high = 9;
   for (int i = 0; i < 60; ++i) {
@@ -31,7 +31,7 @@ double noiseQuantile_v(const VirtualSubject& s, double share) {
   return s.noise_v + s.noise_scale_v * (std::pow(depth, -s.noise_shape) - 1.0) / s.noise_shape;
 }
 
-/// Decades above kFloor_v that are evoked, without the pathway's variation.
+/// Evoked part in decades above kFloor_v, without the pathway's variation.
 double evoked(const VirtualSubject& s, double intensity_pct, double excitability_pct) {
   const double x = std::max(kSmallest_pct, intensity_pct - s.onset_pct + excitability_pct);
   return s.plateau / (1.0 + s.half / std::pow(x, s.steepness));
@@ -65,7 +65,8 @@ VirtualSubject drawAny(std::mt19937_64& random) {
   return s;
 }
 
-/// The article's check on 300 pulses from 20 to 120 %: noise below, a large MEP above, no absurd amplitude.
+/// Implements the article's check on 300 pulses from 20 to 120 %: noise below, a large MEP above, no absurd
+/// amplitude.
 bool isPlausible(const VirtualSubject& s, std::mt19937_64& random) {
   bool is_silent = false, is_large = false;
   for (int i = 0; i < 300; ++i) {

@@ -8,9 +8,9 @@ namespace facenav::links {
 namespace {
 
 constexpr double kStepsPerMs = 8;
-constexpr double kSettles_ms = 100;  // filters and floor
+constexpr double kSettles_ms = 100;  // settling time of filters and floor
 constexpr std::size_t kOthers = 5;
-constexpr double kFloorStep = 1.0005;  // the floor follows the median within about half a second
+constexpr double kFloorStep = 1.0005;  // so the floor follows the median within about half a second
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::int64_t ClickDetector::stepsOf(double ms) const {
   return std::int64_t(std::lround(ms * samples_per_s_ / 1000 / samples_per_step_));
 }
 
-/// The largest power of the steps `first` .. `last`; of those that are known.
+/// Largest power of the known steps from `first` to `last`.
 double ClickDetector::most(std::int64_t first, std::int64_t last, bool with_clicks) const {
   double power = 0;
   const std::int64_t end = std::min(last, first_step_ + std::int64_t(steps_.size()) - 1);
@@ -68,7 +68,7 @@ bool ClickDetector::isClickAt(std::int64_t step) const {
   return most(step + longest + 1, step + lookahead_, true) <= rules_.click_still_after * peak;
 }
 
-/// Of the last clicks; 0 while there are too few. One bang does not change it.
+/// Median peak of the last clicks; 0 while there are too few. A single bang does not change it.
 double ClickDetector::usualPeak() const {
   if (peaks_.size() < kOthers) return 0;
   std::vector<double> sorted(peaks_.begin(), peaks_.end());
@@ -76,9 +76,9 @@ double ClickDetector::usualPeak() const {
   return sorted[kOthers / 2];
 }
 
-/// The search may have begun at a sound of the voice shortly before it.
+/// First step of the click. The search may have begun shortly before it, at a sound of a voice.
 std::int64_t ClickDetector::beginOf(std::int64_t step, double peak) const {
-  constexpr double kBegins = 0.25;  // an echo of the click before has at most an eighth
+  constexpr double kBegins = 0.25;  // an echo of the previous click has at most an eighth
   while (steps_[std::size_t(step - first_step_)].power < kBegins * peak) ++step;
   return step;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// ClickDetector: finds the clicks of a stimulating coil in a sound, as it comes. A click is a short burst
-// above 2 kHz that stands alone: the 25 ms before it and the time from 4 to 14 ms after it are much quieter.
-// A voice's beats, an "s" or a "t" are not alone or last longer. A click is known 14 ms after it.
+// ClickDetector: finds the clicks of a stimulating coil in a stream of sound. A click is a short isolated
+// burst above 2 kHz: the 25 ms before it and the time from 4 to 14 ms after it are much quieter. Sounds of a
+// voice (beats, "s", "t") are not isolated or last longer. A click is reported 14 ms after its begin.
 
 #include <array>
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace facenav::links {
 
 class ClickDetector {
  public:
-  /// `dead_s`: after a click, its own echoes are not listened to for this long.
+  /// Builds a detector. `dead_s`: time after a click in which its echoes are ignored.
   ClickDetector(double samples_per_s, double dead_s, const ClickRules& rules = {});
-  /// The next samples (-1..1). Returns the numbers of the samples, counted from the first one ever, at which
-  /// clicks begin.
+  /// Processes the next samples (-1..1). Returns the sample numbers, counted from the first sample ever, at
+  /// which clicks begin.
   std::vector<std::int64_t> hear(const float* samples, std::size_t count);
   double samplesPerSecond() const { return samples_per_s_; }
 
@@ -29,7 +29,7 @@ class ClickDetector {
   };
   struct Step {  // an eighth of a millisecond
     double power = 0;
-    bool is_click = false;  // of a click that was found, or its echoes
+    bool is_click = false;  // part of a detected click or of its echoes
   };
   double most(std::int64_t first, std::int64_t last, bool with_clicks) const;
   std::int64_t stepsOf(double ms) const;
@@ -47,9 +47,9 @@ class ClickDetector {
   std::int64_t first_step_ = 0;  // number of steps_.front()
   std::int64_t dead_until_ = 0;
   double sum_ = 0, floor_ = -1;
-  std::int64_t last_ = -1;  // the step of the last click, and its power
+  std::int64_t last_ = -1;  // last click: its step and its power
   double last_peak_ = 0;
-  std::deque<double> peaks_;  // of the last clicks
+  std::deque<double> peaks_;  // peaks of the last clicks
   int in_step_ = 0;
   std::vector<std::int64_t> found_;
 };

@@ -7,12 +7,12 @@ namespace facenav::links {
 
 struct LineReading {
   bool is_high = false;
-  /// Changes of the line so far, both ways; nothing: the driver does not count them, and a pulse between two
-  /// readings is missed.
+  /// Number of level changes so far, in both directions. Nothing if the driver does not count them; a pulse
+  /// between two readings is then missed.
   std::optional<int> changes;
 };
 
-/// Between two readings. Changes alternate, so the count and both levels give the number exactly.
+/// Number of rising edges between two readings. It is exact, because levels alternate between changes.
 int risingEdges(const LineReading& before, const LineReading& after);
 
 }  // namespace facenav::links

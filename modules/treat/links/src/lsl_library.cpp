@@ -34,7 +34,7 @@ LslLibrary load() {
 }  // namespace
 
 const LslLibrary& LslLibrary::get() {
-  static const LslLibrary library = load();  // tried again where it failed
+  static const LslLibrary library = load();  // a failed load is tried again at the next call
   return library;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // The functions of liblsl (Lab Streaming Layer, C interface) that a marker stream needs, loaded at run time.
-// liblsl is not needed to build, and is used only where it is installed.
+// The build does not need liblsl.
 
 #include <cstdint>
 #include <string>
@@ -21,7 +21,7 @@ struct LslLibrary {
   double (*time_correction)(Inlet, double timeout_s, std::int32_t* fault);
   void (*destroy_string)(char*);
 
-  /// Throws Error where it is not installed, or is too old.
+  /// Loads the library once. Throws Error if it is not installed, or is too old.
   static const LslLibrary& get();
 };
 

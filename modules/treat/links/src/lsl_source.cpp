@@ -36,10 +36,10 @@ class LslSource : public ThreadedSource {
 
   const LslLibrary& lsl_;
   std::string stream_;
-  bool has_missed_clock_ = false;  // a pulse came while the clock was not known
+  bool has_missed_clock_ = false;  // a pulse arrived while the clock was unknown
 };
 
-/// Null: none is there yet, or stopping.
+/// Opens the stream's inlet; null: no stream yet, or stopping.
 LslLibrary::Inlet LslSource::find(int& channels) {
   LslLibrary::Info info = nullptr;
   const bool is_named = !stream_.empty();
@@ -47,13 +47,14 @@ LslLibrary::Inlet LslSource::find(int& channels) {
                           kLook_s) < 1)
     return nullptr;
   channels = std::max(1, int(lsl_.get_channel_count(info)));
-  const auto inlet = lsl_.create_inlet(info, kBuffer_s, 0, 1);  // 1: it waits for a stream that was lost
+  const auto inlet = lsl_.create_inlet(info, kBuffer_s, 0, 1);  // 1: waits for a lost stream
   lsl_.destroy_streaminfo(info);
   return inlet;
 }
 
-/// To be added to the stream's stamps. Nothing: not known yet, or not since the stream's computer came back.
-/// Never waits: liblsl estimates it on a thread of its own, first within a second, then every few seconds.
+/// Offset to add to the stream's stamps. Nothing: not known yet, or not since the stream's computer came
+/// back. Never waits: liblsl estimates it on a thread of its own, first within a second, then every few
+/// seconds.
 std::optional<double> LslSource::ahead_s(LslLibrary::Inlet inlet) {
   std::int32_t fault = 0;
   const double correction_s = lsl_.time_correction(inlet, 0.0, &fault);
@@ -76,7 +77,7 @@ void LslSource::take(double stamp_s, double arrived_s, std::optional<double> ahe
 
 void LslSource::follow(LslLibrary::Inlet inlet, int channels) {
   std::vector<char*> texts(std::size_t(channels), nullptr);
-  ahead_s(inlet);  // liblsl begins to estimate when it is asked first
+  ahead_s(inlet);  // liblsl starts its estimate at the first call
   while (!isStopping()) {
     std::int32_t fault = 0;
     const double stamp_s = lsl_.pull_sample_str(inlet, texts.data(), channels, kPull_s, &fault);

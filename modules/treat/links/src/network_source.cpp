@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kLongestMessage = 4096;
 constexpr int kMostClients = 8;
 
-/// Seconds since the kernel received the datagram; 0 if it does not say.
+/// Seconds since the kernel received the datagram; 0 if it gives no time.
 double ageOf(msghdr& header) {
   for (cmsghdr* part = CMSG_FIRSTHDR(&header); part; part = CMSG_NXTHDR(&header, part)) {
     if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
@@ -117,7 +117,7 @@ void NetworkSource::accept() {
     clients_.push_back({socket, {}});
 }
 
-/// False: the client has gone.
+/// Reads a client's messages. Returns false if the client has gone.
 bool NetworkSource::read(Client& client) {
   char buffer[1024];
   const ssize_t size = ::recv(client.socket, buffer, sizeof buffer, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// A pulse as a program sends it: {"pulse": true}, with "intensity_pct" where it knows it.
+// A pulse message of another program: {"pulse": true}, optionally with "intensity_pct".
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@ namespace facenav::links {
 struct PulseMessage {
   std::optional<double> intensity_pct;  // 0..100
 };
-/// Nothing for any other text; `why` then says what is wrong with it.
+/// Parses a message; nothing for any other text, and `why` then describes the fault.
 std::optional<PulseMessage> pulseMessageFrom(const std::string& text, std::string& why);
 
 }  // namespace facenav::links

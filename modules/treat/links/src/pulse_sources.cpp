@@ -32,7 +32,7 @@ std::optional<Number> numberFrom(const std::string& text) {
   return fault == std::errc() && stop == end && !text.empty() ? std::optional(number) : std::nullopt;
 }
 
-/// Takes a trailing "dead=0.15" off.
+/// Removes a trailing "dead=0.15" and returns its value.
 std::optional<double> takeDeadTime(std::vector<std::string>& parts, const std::string& words) {
   if (parts.back().rfind("dead=", 0) != 0) return std::nullopt;
   const auto dead_s = numberFrom<double>(parts.back().substr(5));
@@ -76,7 +76,7 @@ std::unique_ptr<PulseSource> openPulseSource(const std::string& words) {
   const auto& dead = settingsOf<PulseDeadTimes>();
   auto parts = partsOf(words);
   const auto given_s = takeDeadTime(parts, words);
-  if (parts.empty()) refuse(words);  // a dead time alone
+  if (parts.empty()) refuse(words);  // only a dead time
   if (parts[0] == "udp" || parts[0] == "tcp")
     return makeNetworkSource(words, addressFrom(parts, words), given_s.value_or(dead.network_dead_s));
   if (parts[0] == "serial") {
@@ -87,7 +87,7 @@ std::unique_ptr<PulseSource> openPulseSource(const std::string& words) {
   }
   if (parts[0] == "lsl" && parts.size() <= 2)
     return makeLslSource(words, parts.size() == 2 ? parts[1] : "", given_s.value_or(dead.lsl_dead_s));
-  if (parts[0] == "sound") {  // ALSA's names hold colons, too
+  if (parts[0] == "sound") {  // ALSA's names contain colons, too
     std::string input;
     for (std::size_t i = 1; i < parts.size(); ++i) input += (i > 1 ? ":" : "") + parts[i];
     return makeSoundSource(words, input.empty() ? "default" : input, given_s.value_or(dead.sound_dead_s));

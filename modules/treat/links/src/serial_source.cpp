@@ -47,8 +47,8 @@ class SerialSource : public ThreadedSource {
   int descriptor_ = -1;
 };
 
-/// Raw, without flow control. The output lines RTS and DTR may be wired to a stimulator's trigger: they are
-/// lowered as soon as the port is open, and nothing is ever written.
+/// Opens the port raw, without flow control. The output lines RTS and DTR may be wired to a stimulator's
+/// trigger: they are lowered as soon as the port is open, and nothing is ever written.
 void SerialSource::open() {
   const auto speed = speedOf(port_.baud);
   if (!speed)
@@ -77,7 +77,7 @@ void SerialSource::close() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
 }
 
-/// Changes counted by the driver; nothing where it does not.
+/// Number of changes counted by the driver; nothing if it does not count.
 std::optional<int> SerialSource::changes() const {
   serial_icounter_struct counts{};
   if (::ioctl(descriptor_, TIOCGICOUNT, &counts) != 0) return std::nullopt;
@@ -90,11 +90,12 @@ std::optional<LineReading> SerialSource::reading() const {
     const auto before = changes();
     int lines = 0;
     if (::ioctl(descriptor_, TIOCMGET, &lines) != 0) return std::nullopt;
-    if (changes() == before) return LineReading{(lines & mask) != 0, before};  // else it changed in between
+    if (changes() == before)
+      return LineReading{(lines & mask) != 0, before};  // else the line changed in between
   }
 }
 
-/// Until the port is gone.
+/// Reads bytes until the port is gone.
 void SerialSource::runBytes() {
   std::vector<pollfd> waiting{{descriptor_, POLLIN, 0}};
   while (!isStopping()) {

@@ -14,7 +14,7 @@ namespace {
 
 void beSilent(const char*, int, const char*, int, const char*, ...) {}
 
-/// What a person can do about it.
+/// Throws Error with advice for the user.
 [[noreturn]] void refuseDevice(const std::string& name, int fault) {
   const std::string what =
       fault == -EBUSY    ? "the sound input is in use by another program"
@@ -30,7 +30,7 @@ void beSilent(const char*, int, const char*, int, const char*, ...) {}
 class SoundDevice : public SoundInput {
  public:
   explicit SoundDevice(const std::string& name) : clock_(1) {
-    snd_lib_error_set_handler(beSilent);  // its own words would go to the terminal
+    snd_lib_error_set_handler(beSilent);  // ALSA would print its messages to the terminal
     int fault = snd_pcm_open(&pcm_, name.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
     if (fault < 0) refuseDevice(name, fault);
     fault = prepare();
@@ -80,7 +80,8 @@ class SoundDevice : public SoundInput {
     set(snd_pcm_hw_params_set_format(pcm_, wanted, SND_PCM_FORMAT_S16_LE));
     set(snd_pcm_hw_params_set_rate_near(pcm_, wanted, &rate_, nullptr));
     set(snd_pcm_hw_params_set_channels_near(pcm_, wanted, &channels_));
-    snd_pcm_hw_params_set_period_time_near(pcm_, wanted, &period_us, nullptr);  // a wish
+    snd_pcm_hw_params_set_period_time_near(pcm_, wanted, &period_us,
+                                           nullptr);  // a request; the device may use another period
     snd_pcm_hw_params_set_buffer_time_near(pcm_, wanted, &buffer_us, nullptr);
     set(snd_pcm_hw_params(pcm_, wanted));
     if (fault >= 0) set(snd_pcm_start(pcm_));

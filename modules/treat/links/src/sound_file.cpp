@@ -10,7 +10,7 @@
 namespace facenav::links {
 
 void SampleClock::note(std::int64_t count, Timestamp at) {
-  constexpr double kDrift = 1e-4;  // of the card's clock; some 20 ppm are usual
+  constexpr double kDrift = 1e-4;  // largest drift of the card's clock; some 20 ppm are usual
   const double offset_s = at.s - double(count) / samples_per_s_;
   if (!is_known_ || offset_s < offset_s_)
     offset_s_ = offset_s;

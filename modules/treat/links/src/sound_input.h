@@ -1,5 +1,5 @@
 #pragma once
-// SoundInput: samples of a sound card or of a sound file, with the time at which each was taken.
+// SoundInput: samples of a sound card or of a sound file, with their capture times.
 
 #include <cstdint>
 #include <memory>
@@ -10,16 +10,16 @@
 
 namespace facenav::links {
 
-/// Tells when a sample was taken, from the times at which a driver says how many there are. A driver counts
-/// late, never early, by up to a few milliseconds: the earliest time counts, and follows the card's own
+/// Computes when a sample was taken, from a driver's sample counts and their times. A driver counts up to a
+/// few milliseconds late, never early. So the earliest time is used, corrected for the drift of the card's
 /// clock.
 class SampleClock {
  public:
   explicit SampleClock(double samples_per_s) : samples_per_s_(samples_per_s) {}
-  /// By `at`, `count` samples since the beginning were there.
+  /// Adds a reading: at `at`, the driver had counted `count` samples.
   void note(std::int64_t count, Timestamp at);
   Timestamp timeOf(std::int64_t sample) const { return {offset_s_ + double(sample) / samples_per_s_}; }
-  /// After samples were lost.
+  /// Restarts the estimate after lost samples.
   void restart() { is_known_ = false; }
 
  private:
@@ -33,15 +33,15 @@ class SoundInput {
   enum class Heard { samples, nothing_yet, lost_some, end, gone };
   virtual ~SoundInput() = default;
   virtual double samplesPerSecond() const = 0;
-  /// Waits at most `wait_ms`. `samples`: one channel, -1..1; of `samples` only.
+  /// Reads samples into `samples` (one channel, -1..1), waiting at most `wait_ms`.
   virtual Heard read(std::vector<float>& samples, int wait_ms) = 0;
-  /// When the sample of that number, counted from the first one read, was taken.
+  /// Time at which the sample with this number, counted from the first one read, was taken.
   virtual Timestamp timeOf(std::int64_t sample) const = 0;
 };
 
-/// A file of libsndfile's kinds, delivered at its own speed from now on. Throws Error.
+/// Opens a file of a kind that libsndfile reads; delivers it in real time from now on. Throws Error.
 std::unique_ptr<SoundInput> openSoundFile(const std::string& path);
-/// A capture device by ALSA's name. Throws Error: not there, in use, not allowed.
+/// Opens a capture device by ALSA's name. Throws Error: not found, in use, not allowed.
 std::unique_ptr<SoundInput> openSoundDevice(const std::string& name);
 
 }  // namespace facenav::links

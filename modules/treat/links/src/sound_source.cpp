@@ -32,7 +32,7 @@ class SoundSource : public ThreadedSource {
   std::unique_ptr<SoundInput> input_;
 };
 
-/// Until the input ends or is gone.
+/// Listens until the input ends or is gone.
 SoundInput::Heard SoundSource::listen() {
   ClickDetector detector(input_->samplesPerSecond(), dead_s_, settingsOf<ClickRules>());
   std::vector<float> samples;
@@ -59,7 +59,7 @@ void SoundSource::run() {
       try {
         open();
         tellProblem("");
-      } catch (const Error&) {  // not yet
+      } catch (const Error&) {  // not available yet
         close();
       }
     }

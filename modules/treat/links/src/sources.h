@@ -1,5 +1,5 @@
 #pragma once
-// The sources behind openPulseSource().
+// The sources that openPulseSource() chooses from.
 
 #include <memory>
 #include <optional>
@@ -26,11 +26,12 @@ struct SerialPort {
 std::unique_ptr<PulseSource> makeSerialSource(const std::string& name, const SerialPort& port,
                                               double dead_time_s);
 
-/// Throws Error where liblsl is not installed. An empty stream: any marker stream.
+/// Source for an LSL stream; an empty name: any marker stream. Throws Error if liblsl is not installed.
 std::unique_ptr<PulseSource> makeLslSource(const std::string& name, const std::string& stream,
                                            double dead_time_s);
 
-/// `input`: of ALSA, or a sound file. Throws Error where FaceNav was built without what reads it.
+/// Source for a sound; `input`: an ALSA device or a sound file. Throws Error if FaceNav was built without its
+/// library.
 std::unique_ptr<PulseSource> makeSoundSource(const std::string& name, const std::string& input,
                                              double dead_time_s);
 

@@ -27,7 +27,7 @@ void ThreadedSource::start(PulseListener listener) {
   thread_ = std::thread([this] {
     try {
       run();
-    } catch (const std::exception& error) {  // no thread may end the program
+    } catch (const std::exception& error) {  // an exception in a thread must not end the program
       logWarning("pulse source " + name_ + ": " + error.what());
       tellProblem(error.what());
     }

@@ -12,8 +12,7 @@
 
 namespace facenav::links {
 
-/// A pulse arrives within this time. A time stamp further away was set by a clock that jumped or is not
-/// known.
+/// Largest delay of a pulse's arrival. An older time stamp comes from a clock that jumped or is unknown.
 constexpr double kOldestPulse_s = 1.0;
 
 /// Each source stops itself in its own destructor, while its run() still exists.
@@ -25,21 +24,20 @@ class ThreadedSource : public PulseSource {
   void stop() override;
 
  protected:
-  /// On the caller's thread; throws Error.
+  /// Opens the source, on the caller's thread; throws Error.
   virtual void open() = 0;
-  /// On the source's thread, until isStopping().
+  /// Reads the source, on its own thread, until isStopping().
   virtual void run() = 0;
-  /// After run(), or when open() threw.
+  /// Closes the source, after run() or when open() threw.
   virtual void close() = 0;
 
   bool isStopping() const { return is_stopping_; }
-  /// Waits until one of the descriptors has something, `wait_ms` have passed (-1: for ever) or stop() was
-  /// called.
+  /// Waits until one of the descriptors is ready, `wait_ms` have passed (-1: no limit) or stop() was called.
   void waitFor(std::vector<pollfd>& descriptors, int wait_ms) const;
   void waitFor(int wait_ms) const;
-  /// A pulse `age_s` ago.
+  /// Reports a pulse `age_s` ago.
   void tellPulse(double age_s = 0, std::optional<double> intensity_pct = {}) const;
-  /// Only when the words differ from the last ones.
+  /// Reports a problem, only if the words differ from the last ones.
   void tellProblem(const std::string& words);
 
  private:

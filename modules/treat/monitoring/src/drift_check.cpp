@@ -15,31 +15,29 @@
 namespace facenav::monitoring {
 namespace {
 
-constexpr int kCell_px = 4;  // of the map of the reference's skin
+constexpr int kCell_px = 4;  // cell of the map of the reference's skin
 // Largest distance of a point from the skin; a hand, hair or the wall is further away.
 constexpr double kReach_mm = 12.0;
-// Disparity error of a point without dots, in addition to its stated standard error.
+// Disparity error of a point without dots, in addition to its computed standard error.
 constexpr double kPointError_px = 0.1;
-// Part of it that the whole face shares (measured in the virtual room, 5 rigs).
+// Part of that error that the whole face shares. Evidence: resources/doc/evidence.md.
 constexpr double kCommonError_px = 0.06;
-constexpr double kDepthMargin_mm = 20.0;  // search range beyond the expected face
+constexpr double kDepthMargin_mm = 20.0;  // depth search range beyond the expected face
 constexpr std::size_t kMostSamples = 6000;
 constexpr std::size_t kFewestSamples = 400;
-// Cosine; at the outline of the face stereo mixes it with the background.
+// Smallest cosine between normal and view; near the face's outline, stereo mixes it with the background.
 constexpr double kLeastFacing = 0.4;
 constexpr int kTile_px = 32;  // stereo errors within a tile are correlated
 constexpr int kIterations = 10;
 constexpr double kBiweight = 4.685;  // 95 % efficiency for normal errors (Huber 1981)
 constexpr double kHalfFace_mm = 70.0;
-// Limits of an alarm: the check's own error aside, less than half of what counts as a wrong pose (3 mm, 2
-// degrees).
+// Limits of an alarm, without the check's own error: less than half of a wrong pose (3 mm, 2 degrees).
 constexpr double kTolerated_mm = 1.2, kTolerated_deg = 0.8;
-// Between the alignment's picture and the reference a head at rest does not move; the alignment's own error
-// is about so large. At rest the offset was within 1.3 of its standard errors (10 captures of the virtual
-// room, seeds 901-910, 4 rigs, 560-900 mm, faint and glossy skin).
+// Largest movement of a head at rest between the alignment's picture and the reference; about the alignment's
+// own error. Evidence: resources/doc/evidence.md.
 constexpr double kStill_mm = 0.5, kStill_deg = 0.3;
-constexpr double kSurely = 3.0;  // standard errors beyond the limit for an alarm
-constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a less certain answer is `unknown`
+constexpr double kSurely = 3.0;  // margin beyond the limit for an alarm, in standard errors
+constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a less certain result is `unknown`
 
 /// Sums of the normal equations, and each image tile's part of the gradient.
 struct Normal {
@@ -49,7 +47,7 @@ struct Normal {
   std::vector<double> distances;  // |residual| in standard deviations
   int used = 0;
 
-  /// Valid for errors that are correlated within a tile (Liang & Zeger 1986).
+  /// Sandwich covariance, valid for errors that are correlated within a tile (Liang & Zeger 1986).
   Matrix6d covariance() const {
     Matrix6d pull = Matrix6d::Zero();
     for (const auto& tile : pulls) pull += tile.second * tile.second.transpose();
@@ -59,8 +57,8 @@ struct Normal {
   }
 };
 
-/// Standard deviation of normal errors, from the smallest third of their absolute values: more than half of
-/// the face may be occluded.
+/// Robust standard deviation, from the smallest third of the absolute values, because more than half of the
+/// face may be occluded.
 double spreadOf(std::vector<double>& lengths) {
   constexpr double kShare = 0.35, kQuantile = 0.4538;  // P(|x| < 0.4538) = 0.35
   return selectRank(lengths, std::size_t(kShare * double(lengths.size()))) / kQuantile;
@@ -146,7 +144,7 @@ std::vector<DriftCheck::Sample> DriftCheck::measureSkin(const cameras::StereoFra
   try {
     TaskMonitor monitor;
     face = stereo::measureFace(rigNow(), frame, options, monitor);
-  } catch (const Error&) {  // too little texture or too dark: no answer
+  } catch (const Error&) {  // too little texture or too dark: no result
     return samples;
   }
   const std::size_t step = std::max<std::size_t>(1, face.cloud.size() / kMostSamples);

@@ -6,8 +6,8 @@ namespace {
 using Reason = Withheld::Reason;
 using Source = Withheld::Source;
 
-// The watchdog's dense measurement does not correct for the time between the exposures. It takes sideways
-// motion between them for about five times as much depth.
+// Largest motion between the exposures at which the watchdog measures. Its dense measurement does not correct
+// for that time and turns sideways motion into about five times as much depth.
 constexpr double kMostBetweenExposures_mm = 0.2;
 
 }  // namespace

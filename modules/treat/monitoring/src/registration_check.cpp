@@ -11,7 +11,7 @@
 namespace facenav::monitoring {
 namespace {
 
-constexpr double kBetween_s = 0.2;  // so that the measurements are of different moments
+constexpr double kBetween_s = 0.2;  // time between measurements
 
 DriftWatchdog::Checks::Work measuring(DriftWatchdog::Measure measure) {
   FACENAV_EXPECT(bool(measure), "something must measure");
@@ -66,7 +66,7 @@ void RegistrationCheck::add(std::shared_ptr<const cameras::StereoFrame> frame,
                             const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const double now_s = frame->captured.s;
-  // An answer to a question of the check before this one is not of now.
+  // Ignores the result of a measurement requested by the previous check.
   if (const auto answer = checks_.take(now_s); answer && begun_s_ && answer->captured_s >= *begun_s_)
     measured_.push_back(answer->finding);
   if (!is_running_) return;

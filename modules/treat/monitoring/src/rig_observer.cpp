@@ -8,8 +8,8 @@
 namespace facenav::monitoring {
 namespace {
 
-constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;  // of a frame
-// Above it, head motion would look like a rotation of the camera.
+constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;  // number of features matched in a frame
+// Largest head motion between the exposures; more would look like a rotation of the camera.
 constexpr double kMostAsRotation_mm = 0.1;
 
 }  // namespace
@@ -36,7 +36,7 @@ health::RigObservation RigObserver::observe(const cameras::StereoFrame& frame,
     if (const auto match = cameras::matchPatch(frame.left, frame.right, feature.left_px, feature.right_px))
       seen.matches.push_back({feature.left_px, match->right_px, match->sigma_px});
   }
-  next_feature_ += 7;  // other features next time
+  next_feature_ += 7;  // other features in the next frame
   return seen;
 }
 

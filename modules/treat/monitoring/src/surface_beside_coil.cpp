@@ -16,7 +16,7 @@ namespace {
 constexpr double kSample_mm = 4.0;
 constexpr std::size_t kFewestSkin = 40;  // sampled points: a patch of about 6 cm2
 constexpr std::size_t kFewestPoints = 300;
-constexpr double kAbovePlate_mm = 4.0;  // what stands higher than the plate is the coil or a hand
+constexpr double kAbovePlate_mm = 4.0;  // anything higher than the plate is the coil or a hand
 constexpr double kFacing = 0.45;        // cosine; oblique skin is measured poorly
 constexpr int kMargin_px = 12, kLeastBox_px = 40;
 constexpr double kTile_mm = 8.0;  // stereo errors within such a patch are correlated
@@ -27,7 +27,7 @@ double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, con
   return (a + share * along - p).norm();
 }
 
-/// > 0: outside the closed outline, < 0: inside.
+/// Signed distance from the closed outline: > 0 outside, < 0 inside.
 double outsideOutline_mm(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
   double least_mm = std::numeric_limits<double>::max();
   bool is_inside = false;
@@ -93,7 +93,7 @@ SurfaceBesideCoil::Band SurfaceBesideCoil::bandOf(const RigidTransform<Camera, M
   Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
   band.nearest_mm = 1e9;
   for (const std::size_t i : sample_) {
-    // The far side of the head lies under the plate's outline, too.
+    // Excludes the far side of the head, which also lies under the plate's outline.
     const Eigen::Vector3d p_coil_mm = coil_T_mri * skin.points_mm[i];
     if (p_coil_mm.z() > 2 * kFarthest_mm || !isBeside(p_coil_mm)) continue;
     const Eigen::Vector3d p_mm = pose * skin.points_mm[i], normal = pose.linear() * skin.normals[i];
@@ -118,7 +118,7 @@ SurfaceBesideCoil::Band SurfaceBesideCoil::bandOf(const RigidTransform<Camera, M
 BesideCoilFinding SurfaceBesideCoil::measure(const cameras::StereoFrame& frame,
                                              const RigidTransform<Camera, Mri>& camera_T_mri,
                                              const RigidTransform<Camera, Coil>& camera_T_coil) const {
-  constexpr double kMargin_mm = 25.0;  // search range of depth beyond the expected skin
+  constexpr double kMargin_mm = 25.0;  // depth search range beyond the expected skin
   const Band band = bandOf(camera_T_mri, camera_T_coil);
   if (band.skin_mm.size() < kFewestSkin || band.box.width < kLeastBox_px || band.box.height < kLeastBox_px)
     return unseen("no skin beside the coil faces both cameras");

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kChunk = kSamplesPerSecond / 100;
 constexpr std::chrono::milliseconds kChunkTime(10);
-constexpr double kAhead_s = 0.05;  // sent before it is heard, against gaps; more would delay tones
+constexpr double kAhead_s = 0.05;  // sent this early, against gaps; more would delay tones
 constexpr int kPipe_bytes = 8192;
 
 /// A player that reads from a pipe. Throws Error if it is not installed.
@@ -91,7 +91,7 @@ struct SoundPlayer::Implementation {
   void askAgain();
 };
 
-/// The samples of a tone that was asked for since.
+/// Returns the samples of a newly requested tone.
 std::optional<std::vector<std::int16_t>> SoundPlayer::Implementation::takeAsked() {
   const std::lock_guard lock(mutex);
   if (!asked) return std::nullopt;
@@ -100,13 +100,13 @@ std::optional<std::vector<std::int16_t>> SoundPlayer::Implementation::takeAsked(
   return samplesOf(playing, is_muted ? 0.0 : volume);
 }
 
-/// The player ended before a tone was over: the next one plays it.
+/// Requests the tone again, because the player ended before it was over.
 void SoundPlayer::Implementation::askAgain() {
   const std::lock_guard lock(mutex);
   if (!asked) asked = playing;
 }
 
-/// Silence, and tones when asked for, in real time. False: the player has gone.
+/// Sends silence, and tones on request, in real time. Returns false if the player has ended.
 bool SoundPlayer::Implementation::feed(const Stream& stream) {
   std::vector<std::int16_t> tone, chunk(kChunk);
   std::size_t next = 0;
@@ -119,7 +119,7 @@ bool SoundPlayer::Implementation::feed(const Stream& stream) {
     }
     if (auto samples = takeAsked()) tone = std::move(*samples), next = 0;
     const double late_s = (Timestamp::now() - started) - sent_s;
-    if (late_s > 1.0) started.s += late_s;  // the machine slept: nothing is caught up
+    if (late_s > 1.0) started.s += late_s;  // the machine slept: skip the missed time
     if (late_s < -kAhead_s) continue;
     for (std::size_t i = 0; i < kChunk; ++i) chunk[i] = next + i < tone.size() ? tone[next + i] : 0;
     const auto sent = stream.send(chunk.data(), chunk.size());

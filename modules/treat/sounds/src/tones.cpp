@@ -27,7 +27,7 @@ std::vector<Note> notesOf(Tone tone) {
   return {};
 }
 
-/// Raised cosine at both ends.
+/// Fade factor, a raised cosine at both ends.
 double fadeAt(double t_s, double length_s) {
   const double from_end_s = std::min({t_s, length_s - t_s, kFade_s});
   return 0.5 - 0.5 * std::cos(M_PI * from_end_s / kFade_s);

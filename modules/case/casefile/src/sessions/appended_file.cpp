@@ -16,7 +16,7 @@
 namespace facenav::casefile {
 namespace {
 
-/// 0, or the errno of the failed call.
+/// Writes the text; returns 0 or the errno of the failed call.
 int writeAll(int descriptor, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t written = ::write(descriptor, text.data() + done, text.size() - done);
@@ -74,7 +74,7 @@ bool AppendedFile::isRemoved() const {
   return ::fstat(descriptor_, &status) == 0 && status.st_nlink == 0;
 }
 
-/// A new file under the name, with the content of the removed one. The file is durable.
+/// Copies the removed file's content to a new file under its name and syncs it.
 int AppendedFile::copied() const {
   const auto temporary = path_.string() + ".again";
   const int copy = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);

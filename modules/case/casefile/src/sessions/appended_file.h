@@ -10,26 +10,27 @@ namespace facenav::casefile {
 class AppendedFile {
  public:
   enum class Start { fresh, old_or_fresh };
-  /// `fresh`: throws Error if the file exists. A fresh file starts with `header` (empty: nothing).
+  /// Opens the file. `fresh` throws Error if it exists. A fresh file starts with `header` (empty: nothing).
   AppendedFile(std::filesystem::path path, const std::string& header, Start start = Start::fresh);
   /// Syncs and closes.
   ~AppendedFile();
   AppendedFile(const AppendedFile&) = delete;
   AppendedFile& operator=(const AppendedFile&) = delete;
 
-  /// `lines` with their newlines, whole or not at all. Throws Error, also if the file was removed meanwhile.
+  /// Appends `lines`, with their newlines, whole or not at all. Throws Error, also if the file was removed
+  /// meanwhile.
   void append(const std::string& lines);
-  /// fsync. Throws Error.
+  /// Calls fsync. Throws Error.
   void sync();
-  /// No other program may lock() it until this one has closed it, or has died. Throws Error if another one
-  /// holds it.
+  /// Locks the file for other programs until this one has closed it or ended. Throws Error if another program
+  /// has the lock.
   void lock();
-  /// True if the file was removed: what is written can no longer be found by name.
+  /// True if the file was removed, so that its content can no longer be found by name.
   bool isRemoved() const;
-  /// Where it was removed: makes it again under its name with all that it held, and the two folders above it
-  /// if need be. Throws Error; nothing has then changed.
+  /// Makes a removed file again under its name with all its content, and the two folders above it if need be.
+  /// Throws Error; nothing has then changed.
   void putBack();
-  /// Cuts it back to what it held before the last append, for a line that was written but not synced.
+  /// Cuts the file back to its state before the last append, for a line that was written but not synced.
   void undoLast();
 
  private:
@@ -41,7 +42,7 @@ class AppendedFile {
   long long size_ = 0, size_before_ = 0;  // bytes of whole lines
 };
 
-/// Another program holds the file's lock(). False where there is no such file.
+/// True if another program has the file's lock(). False if there is no such file.
 bool isLocked(const std::filesystem::path& path);
 
 }  // namespace facenav::casefile

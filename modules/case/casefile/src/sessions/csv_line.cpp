@@ -8,7 +8,7 @@
 namespace facenav::casefile {
 namespace {
 
-/// Where the field that begins at `begin` ends.
+/// Returns the end of the field that begins at `begin`.
 std::size_t endOfField(const std::string& line, std::size_t begin) {
   bool is_quoted = false;
   for (std::size_t i = begin; i < line.size(); ++i) {
@@ -23,7 +23,7 @@ std::string unquoted(const std::string& field) {
   std::string text;
   for (std::size_t i = 1; i + 1 < field.size(); ++i) {
     text += field[i];
-    if (field[i] == '"') ++i;  // "" stands for one
+    if (field[i] == '"') ++i;  // "" encodes one quote
   }
   return text;
 }

@@ -8,27 +8,27 @@
 
 namespace facenav::casefile {
 
-/// The field at `column` of a line; a field may be quoted and then holds commas.
+/// Returns the field at `column` of a line; a quoted field may contain commas.
 std::optional<std::string> fieldAt(const std::string& line, std::size_t column);
-/// All fields; quotes are taken off.
+/// Returns all fields, without quotes.
 std::vector<std::string> fieldsOf(const std::string& line);
 std::optional<std::size_t> columnOf(const std::string& header, const std::string& name);
-/// Nothing unless the whole text is a number.
+/// Parses a number; nothing unless the whole text is one.
 std::optional<double> numberOf(const std::string& text);
 std::optional<double> numberAt(const std::string& line, std::size_t column);
 
-/// Puts lines that were written for one header under the columns of another one, by name: a file of an older
-/// version that is gone on with has fewer columns. What the other header does not name is left out; what the
-/// lines do not have stays empty.
+/// Moves the fields of lines written under one header to the columns of another one, by name. Needed when a
+/// session continues the file of an older version, which has fewer columns. Columns unknown to the other
+/// header are left out; columns that the lines lack stay empty.
 class ColumnOrder {
  public:
   ColumnOrder(const std::string& written_header, const std::string& wanted_header);
-  /// Both lines end with a newline.
+  /// Returns the line in the other order. Both lines end with a newline.
   std::string inOrder(const std::string& line) const;
 
  private:
   bool is_same_;
-  std::vector<std::optional<std::size_t>> from_;  // of each wanted column, the written one
+  std::vector<std::optional<std::size_t>> from_;  // source column of each wanted column
 };
 
 }  // namespace facenav::casefile

@@ -32,7 +32,7 @@ std::string jpegOf(const cv::Mat& image, int quality, const fs::path& path) {
   throw Error("the picture cannot be encoded", path.string());
 }
 
-/// Whole lines with rising frame numbers and times.
+/// Returns the whole lines with rising frame numbers and times.
 std::string soundTimes(const fs::path& csv, std::optional<std::int64_t>& last) {
   std::string sound = kTimesHeader;
   const std::string content = fs::exists(csv) ? readWholeFile(csv) : std::string();
@@ -125,7 +125,7 @@ EvidenceFolder::EvidenceFolder(fs::path session_folder, const cameras::StereoRig
 
 EvidenceFolder::~EvidenceFolder() = default;
 
-/// The line comes first: a line without pictures is no fault of a recording, pictures without a line are.
+/// The line is written first: a recording may have a line without pictures, but not pictures without a line.
 bool EvidenceFolder::keep(const cameras::StereoFrame& frame) {
   Implementation& self = *implementation_;
   const int quality = settingsOf<EvidenceRules>().jpeg_quality;

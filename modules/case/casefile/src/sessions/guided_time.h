@@ -9,8 +9,8 @@
 
 namespace facenav::casefile {
 
-/// Nothing if the file is missing, has no such columns or fewer than two frames. Lines that are no frame (cut
-/// short) are passed over.
+/// Computes the times by state. Nothing if the file is missing, lacks the columns or has fewer than two
+/// frames. Lines cut short are left out.
 std::optional<GuidedTime> readGuidedTime(const std::filesystem::path& guidance_csv);
 /// Time from the first to the last frame, s; reads only both ends of the file. Nothing as above.
 std::optional<double> readDuration_s(const std::filesystem::path& poses_csv);
@@ -19,8 +19,7 @@ struct LastFrame {
   std::int64_t frame = 0;
   double t_s = 0;
 };
-/// The last whole frame of poses.csv; reads only the end of the file. Nothing
-/// as above.
+/// Reads the last whole frame of poses.csv, from the end of the file only. Nothing as above.
 std::optional<LastFrame> readLastFrame(const std::filesystem::path& poses_csv);
 
 }  // namespace facenav::casefile

@@ -1,6 +1,6 @@
 #pragma once
-// Reads a file of JSON objects, one a line. A line that a crash cut short, or that is damaged, is left out
-// and named; the rest counts.
+// Reads a file of JSON objects, one a line. A damaged line, or one that a crash cut short, is left out and
+// named.
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,7 @@ struct JsonLines {
   std::vector<std::string> problems;
 };
 
-/// Empty if there is no such file. Throws Error if it cannot be read.
+/// Reads the lines; empty if there is no such file. Throws Error if it cannot be read.
 JsonLines readJsonLines(const std::filesystem::path& path);
 
 }  // namespace facenav::casefile

@@ -30,7 +30,7 @@ void readEvents(const fs::path& file, std::vector<SessionEvent>& events, std::ve
 constexpr const char* kEvents = "events.jsonl";
 constexpr const char* kNotes = "notes.jsonl";
 
-/// A damaged file costs its times, not the session.
+/// Reads the times of an imported session. A damaged file leaves them absent; the session is still read.
 void readReturned(const fs::path& file, KeptSession& session) {
   if (!fs::exists(file)) return;
   try {
@@ -104,7 +104,7 @@ KeptSession readSession(const fs::path& session_folder) {
   std::vector<SessionEvent> events, notes;
   readEvents(session_folder / kEvents, events, session.pulses.problems);
   readEvents(session_folder / kNotes, notes, session.pulses.problems);
-  // Each file is in the order in which things happened, also where the clock was set back meanwhile.
+  // Keeps each file's own order, which is that of the events even if the clock was set back.
   std::merge(events.begin(), events.end(), notes.begin(), notes.end(), std::back_inserter(session.events),
              [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
   session.duration_s = readDuration_s(session_folder / "poses.csv");

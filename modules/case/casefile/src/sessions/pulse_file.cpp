@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kName = "pulses.jsonl";
 
-/// The names up to the case folder: a file is only as durable as its name.
+/// Syncs the folders up to the case folder, because a file is durable only if its name is.
 void syncNames(const fs::path& session_folder) {
   makeNamesDurable(session_folder);
   makeNamesDurable(session_folder.parent_path());
@@ -27,7 +27,7 @@ struct PulseFile::Implementation {
     file = std::make_unique<AppendedFile>(folder / kName, "", start);
     syncNames(folder);
   }
-  /// In a new file under the old name, everything that the removed one held.
+  /// Makes the removed file again under its name, with all its content.
   void makeAgain() {
     file->putBack();
     syncNames(folder);

@@ -50,7 +50,7 @@ guidance::Target targetFrom(const JsonReader& json) {
           {}};
 }
 
-/// The optional numbers of a pulse under their names in the file, for writing and reading alike.
+/// Visits the optional numbers of a pulse with their names in the file, for writing and reading.
 template <class PulseType, class Visitor>
 void visitNumbers(PulseType& pulse, Visitor&& visit) {
   visit("gap_mm", pulse.gap_mm);

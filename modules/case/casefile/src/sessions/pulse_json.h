@@ -6,7 +6,7 @@
 
 namespace facenav::casefile {
 
-/// Throws Error naming line and key.
+/// Parses a pulse. Throws Error naming line and key.
 Pulse pulseFrom(const JsonReader& line);
 
 }  // namespace facenav::casefile

@@ -26,7 +26,7 @@ fs::path makeSessionFolder(const fs::path& case_folder) {
   return folder;
 }
 
-/// One table of a session. A table that an older version began keeps its own columns.
+/// One table of a session. A table begun by an older version keeps its own columns.
 class AppendedTable {
  public:
   AppendedTable(const fs::path& path, const std::string& header, AppendedFile::Start start)

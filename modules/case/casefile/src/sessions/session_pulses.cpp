@@ -36,7 +36,7 @@ SessionPulses readKept(const fs::path& folder) {
   return read;
 }
 
-/// "3, on_target, 0.8 mm, 2 deg", as earlier versions noted a pulse.
+/// Parses "3, on_target, 0.8 mm, 2 deg", the note of a pulse in earlier versions.
 Pulse pulseOfEvent(int number, const JsonReader& event) {
   Pulse pulse;
   pulse.number = number;
@@ -87,7 +87,7 @@ void applyEdit(const JsonReader& line, SessionPulses& session) {
   } else if (change == "exclude" || change == "include") {
     reviewed->is_excluded = change == "exclude";
     reviewed->note = reviewed->is_excluded ? line.at("reason").text() : "";
-  }  // another change: of a later version
+  }  // unknown change, of a later version
 }
 
 void applyEdits(const fs::path& folder, SessionPulses& session) {
@@ -113,7 +113,7 @@ ReviewedPulse& find(SessionPulses& session, int number, const fs::path& folder) 
 
 void requireRange(std::optional<double> value, double most, const char* what, const char* unit, int number,
                   const fs::path& folder) {
-  if (!value || (*value >= 0 && *value <= most)) return;  // not a number fails both
+  if (!value || (*value >= 0 && *value <= most)) return;  // NaN fails both comparisons
   throw Error(formatted("%s %g %s of pulse %d is not possible", what, *value, unit, number), folder.string(),
               formatted("0 to %g %s is expected", most, unit));
 }

@@ -18,7 +18,7 @@ constexpr std::array<const char*, 7> kPoseColumns{"tx", "ty", "tz", "qw", "qx", 
 constexpr std::array<const char*, 7> kGuidanceColumns{
     "distance_mm", "lateral_mm", "depth_mm", "tilt_deg", "twist_deg", "beam_miss_mm", "predicted_error_mm"};
 
-/// Index of a column by its name, for the fields of each line.
+/// Column numbers by name, for the fields of each line.
 class Header {
  public:
   Header(const std::string& line, const fs::path& path) : names_(fieldsOf(line)), path_(path) {}
@@ -38,15 +38,15 @@ class Header {
   fs::path path_;
 };
 
-/// Two columns were once added at the end of guidance.csv. A version of that time went on with older files
-/// and wrote both under no header.
+/// Numbers of columns of guidance.csv before and after two were added. One version continued older files with
+/// both new values but without a header for them.
 constexpr std::size_t kBeforeGaps = 11, kWithGaps = 13;
 
 bool fits(std::size_t fields, std::size_t columns) {
   return fields == columns || (columns == kBeforeGaps && fields == kWithGaps);
 }
 
-/// Reads a file line by line; `take` says whether the fields were good.
+/// Reads a file line by line; `take` returns whether the fields were good.
 template <class Take>
 int readLines(std::ifstream& stream, const Header& header, Take take) {
   int damaged = 0;
@@ -82,7 +82,7 @@ std::uint16_t TrackReader::indexOf(const std::string& word) {
   return indices_[word] = std::uint16_t(track.words.size() - 1);
 }
 
-/// Lines come in the order of their frames; the last moment is the one wanted, or a new one follows.
+/// Returns the frame's moment: the last one, or a new one, since lines are in the order of their frames.
 TrackMoment& TrackReader::momentOf(std::int64_t frame, double t_s) {
   if (!track.moments.empty() && track.moments.back().frame == frame) return track.moments.back();
   track.moments.emplace_back();
@@ -160,7 +160,7 @@ void TrackReader::readGuidance(const fs::path& path) {
                    while (next < track.moments.size() && track.moments[next].frame < std::int64_t(*number))
                      ++next;
                    if (next == track.moments.size() || track.moments[next].frame != std::int64_t(*number))
-                     return true;  // guidance of a frame without a pose line
+                     return true;  // guidance of a frame that poses.csv lacks
                    TrackMoment& moment = track.moments[next];
                    std::array<float, 7> values{};
                    const bool is_lost = fields[state] == "lost";

@@ -3,8 +3,8 @@
 namespace facenav::session {
 namespace {
 
-// Standard error per axis of one alignment, at the face. Measured on room recordings that were not used for
-// development: 0.4-0.6 mm in total, and some 0.3 deg.
+// Standard error per axis of one alignment, at the face. Larger is safer: key frames of earlier sessions then
+// weigh less. Evidence: resources/doc/evidence.md.
 constexpr double kAlignment_mm = 0.3, kAlignment_rad = 0.003;
 
 }  // namespace

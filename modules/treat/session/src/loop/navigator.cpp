@@ -68,7 +68,7 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
 }
 
 std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
-  // A wrong alignment would put the face at a wrong place of the MRI, also in later sessions.
+  // A wrong alignment would place the key frames wrongly in the MRI, also in later sessions.
   if (!head_T_mri_ || trust_.isAlignmentInDoubt()) return {};
   return asKept(head_->learntKeyFrames(), *head_T_mri_);
 }
@@ -89,7 +89,7 @@ void Navigator::setCoil(const coil_tracking::CoilModel& coil) {
 NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
   FACENAV_EXPECT(frame != nullptr, "a frame is needed");
   const Timestamp begin = Timestamp::now();
-  double watching_ms = 0.0;  // not part of tracking: in a live session it runs in parallel
+  double watching_ms = 0.0;  // not part of tracking: in parallel in a live session
   NavigationState state;
   state.frame = frame->number;
   state.captured = frame->captured;
@@ -100,7 +100,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.chosen = target_;
   state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {
-    // Who plugged a camera in again may have moved it.
+    // The camera may have been moved when it was plugged in again.
     if (std::exchange(was_away_, false)) checkRegistration(true);
     watching_ms += track(*frame, state);
     place(state);
@@ -156,20 +156,19 @@ bool Navigator::checkRegistration(bool is_withheld_until) {
   return trust_.checkRegistration(is_withheld_until);
 }
 
-/// Asks whether the poses may be shown. It is judged at the pose that is tracked, also while that is
-/// withheld.
+/// Decides whether the poses may be shown. Uses the tracked pose even while it is withheld.
 void Navigator::judge(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
   trust_.addFace(frame, state.head, state.camera_T_mri ? std::optional(*state.camera_T_mri) : std::nullopt);
   state.check = trust_.finding();
   state.withheld = trust_.withheld(*frame);
   if (trust_.hasNewAlarm()) is_learnt_in_doubt_ = true;
-  // A fault of the cameras blanks all of the state after guidance.
+  // After guidance, a fault of the cameras blanks the whole state.
   if (!state.withheld || state.withheld->isOfCameras()) return;
   state.head = Lost{LostReason::high_residual};
   state.camera_T_mri = Lost{LostReason::high_residual};
 }
 
-/// From the poses in each frame; from stereo about once a second, beside the frames.
+/// Measures the gap: from the poses in each frame, from stereo about once a second in parallel.
 void Navigator::measureGap(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state) {
   const auto maybe = [](const auto& tracked) { return tracked ? std::optional(*tracked) : std::nullopt; };
   const auto camera_T_mri = maybe(state.camera_T_mri);
@@ -177,7 +176,8 @@ void Navigator::measureGap(const std::shared_ptr<const cameras::StereoFrame>& fr
   if (gap_watch_) gap_watch_->add(frame, camera_T_mri, camera_T_coil);
   if (!scalp_ || !camera_T_mri || !camera_T_coil) return;
   state.gap.by_poses_mm = gapToSkin_mm(camera_T_mri->inverse() * *camera_T_coil, *scalp_);
-  // The predicted error is that of a point in space; the gap feels its part along the normal.
+  // The predicted error is that of a point in space; the gap is affected only by its component along the
+  // normal.
   if (target_) state.gap.alignment_sigma_mm = target_->predicted_error_mm / std::sqrt(3.0);
   if (!gap_watch_ || !gap_watch_->finding()) return;
   const auto& finding = *gap_watch_->finding();

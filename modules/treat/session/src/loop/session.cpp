@@ -30,7 +30,7 @@ struct Session::Implementation {
   std::condition_variable stop_requested;
   std::optional<std::optional<ChosenTarget>> new_target;
   std::optional<coil_tracking::CoilModel> new_coil;
-  std::optional<bool> wanted_check;  // its value: poses are withheld until it passes
+  std::optional<bool> wanted_check;  // value: withhold the poses until the check passes
   std::optional<bool> is_judged_wrong;
   std::string failure;
   std::optional<Timestamp> started, ended;
@@ -47,7 +47,7 @@ struct Session::Implementation {
   void guarded(Body body);
 };
 
-/// One of the few places that catch any exception: it becomes a state that the consumer shows.
+/// Runs `body` and turns any exception into a state that the consumer shows.
 template <class Body>
 void Session::Implementation::guarded(Body body) {
   try {
@@ -59,7 +59,7 @@ void Session::Implementation::guarded(Body body) {
   }
 }
 
-/// Called last on the tracking thread, so that no pose follows the failure.
+/// Publishes the failure. Called last on the tracking thread, so that no pose follows it.
 void Session::Implementation::publishFailure() {
   std::lock_guard lock(mutex);
   if (failure.empty()) return;
@@ -70,7 +70,7 @@ void Session::Implementation::publishFailure() {
   states.publish(std::make_shared<NavigationState>(blanked(state, LostReason::camera)));
 }
 
-/// Called before the states are closed: a consumer that sees them closed can then ask why.
+/// Records why the session ended. Called before the states are closed, so that a consumer can ask then.
 void Session::Implementation::noteEnd() {
   std::lock_guard lock(mutex);
   ended = Timestamp::now();
@@ -164,7 +164,7 @@ void Session::start() {
   });
   s.tracking_thread = std::thread([&s] {
     s.guarded([&s] { s.track(); });
-    s.requestStop();  // a fault in tracking ends the capture, too
+    s.requestStop();  // a fault in tracking also ends the capture
     s.publishFailure();
     s.noteEnd();
     s.states.close();
@@ -182,8 +182,9 @@ void Session::stop() {
 std::shared_ptr<const NavigationState> Session::latest() const {
   auto state = implementation_->states.latest();
   if (!state) return std::make_shared<NavigationState>(blanked({}, LostReason::stale));
-  // A picture can also arrive late, from a queue. A camera's usual delay, below 0.1 s, is allowed for.
-  constexpr double kMostLate = 2.0;  // times the limit; of a paced recording `taken` is its arrival
+  // Factor on the age limit for pictures that arrive late, from a queue. Allows for a camera's usual delay,
+  // below 0.1 s.
+  constexpr double kMostLate = 2.0;  // for a paced recording `taken` is its arrival
   const double limit_s = implementation_->options.age_limit_s;
   const Timestamp now = Timestamp::now();
   const bool is_old = now - state->arrived > limit_s || now - state->taken > kMostLate * limit_s;

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kPicturesKept = 32;
 constexpr std::size_t kMostWaiting = 60;  // some 40 MB of pictures
 
-/// Its number and time are those of the session's files; they differ from the source's where a session goes
-/// on.
+/// Returns the frame with number and time as in the session's files; in a continued session they differ from
+/// the source's.
 cameras::StereoFrame asLogged(const NavigationState& state) {
   cameras::StereoFrame frame = *state.images;
   frame.number = state.frame;
@@ -94,7 +94,7 @@ void EvidenceKeeper::follow(const NavigationState& state) {
   if (state.frame < 0 || !state.images || state.images->left.empty() || state.images->right.empty()) return;
   std::lock_guard lock(implementation_->mutex);
   auto& newest = implementation_->newest;
-  if (!newest.empty() && newest.back().number >= state.frame) return;  // the last state, said again
+  if (!newest.empty() && newest.back().number >= state.frame) return;  // the last state again
   newest.push_back(asLogged(state));
   if (newest.size() > kPicturesKept) newest.pop_front();
 }

@@ -42,7 +42,7 @@ struct PulseKeeper::Implementation {
   mutable std::mutex mutex;  // guards the members below, up to `is_stopping`
   std::condition_variable changed;
   std::deque<PosedFrame> frames;          // by the time they were taken
-  std::deque<Waiting> pulses;             // in the order of arrival
+  std::deque<Waiting> pulses;             // in order of arrival
   std::deque<casefile::Pulse> unwritten;  // with their poses
   std::deque<casefile::Pulse> told;       // written, for takeKept()
   std::map<std::string, Timestamp> last_of_source;
@@ -115,7 +115,7 @@ void PulseKeeper::Implementation::placeReady() {
   }
 }
 
-/// In order, up to the first one that cannot be written. The disk is waited for without the lock.
+/// Writes in order, up to the first pulse that cannot be written. The mutex is free during disk access.
 void PulseKeeper::Implementation::write() {
   for (;;) {
     casefile::Pulse pulse;
@@ -179,7 +179,8 @@ bool PulseKeeper::add(const PulseTrigger& trigger) {
     std::lock_guard lock(implementation_->mutex);
     const auto last = implementation_->last_of_source.find(trigger.source);
     const bool is_known = last != implementation_->last_of_source.end();
-    // Also a little out of order. One that is dated far back is a pulse: its source's clock has jumped.
+    // A trigger slightly out of order is a bounce, too. One dated far back is a pulse whose source's clock
+    // has jumped.
     if (is_known && std::abs(trigger.at - last->second) < trigger.dead_time_s) return false;
     implementation_->last_of_source[trigger.source] = trigger.at;
     implementation_->pulses.push_back({trigger, Timestamp::now()});
@@ -195,7 +196,7 @@ void PulseKeeper::follow(const NavigationState& state) {
   {
     std::lock_guard lock(implementation_->mutex);
     auto& frames = implementation_->frames;
-    if (!frames.empty() && state.taken - frames.back().taken <= 0) return;  // the last state, said again
+    if (!frames.empty() && state.taken - frames.back().taken <= 0) return;  // the last state again
     frames.push_back(posedFrame(state));
     if (frames.size() > kFramesKept) frames.pop_front();
     if (implementation_->pulses.empty()) return;

@@ -14,7 +14,8 @@
 namespace facenav::session {
 namespace {
 
-/// "FACE COVERED: move the coil or hand aside" -> "face covered": what was, not what to do.
+/// Returns the title of a loss without the advice: "FACE COVERED: move the coil or hand aside" -> "face
+/// covered".
 std::string titleOf(const std::string& words) {
   std::string title = words.substr(0, words.find(':'));
   std::transform(title.begin(), title.end(), title.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -40,7 +41,7 @@ std::string outsideWords(const guidance::GuidanceValues& values, const guidance:
   return words;
 }
 
-/// Why nothing can be interpolated; empty: it can.
+/// Reason why interpolation is impossible; empty: it is possible.
 std::string missingFrames(const std::optional<PosedFrame>& before, const std::optional<PosedFrame>& after) {
   if (!before) return "no picture before the pulse";
   if (!after) return formatted("no picture within %.1f s after the pulse", kLongestWait_s);
@@ -64,7 +65,7 @@ std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Po
   return interpolated(*a, *b, fraction);
 }
 
-/// What makes a pulse doubtful though the coil is where it should be.
+/// Describes why a pulse is doubtful although the coil is on target.
 std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
   std::string words;
   const double planned_mm = guidance::centreGap_mm(target);

@@ -1,7 +1,7 @@
 #pragma once
-// StateChanges: what changed from one frame of a session to the next, as events of its log: face and coil
-// found or lost, another coil, faults, cameras away and back, a correction of the rig, a check of the
-// registration. Private to session.
+// StateChanges: logs the changes from one frame of a session to the next as events: face and coil found or
+// lost, another coil, faults, cameras away and back, a correction of the rig, a check of the registration.
+// Private to session.
 
 #include <optional>
 #include <string>
@@ -13,17 +13,17 @@ namespace facenav::session {
 
 class StateChanges {
  public:
-  /// Call for each state, in order.
+  /// Compares a state with the previous one. Call it for each state, in order.
   void note(const NavigationState& state, casefile::SessionLog& log);
 
  private:
   void noteFault(const NavigationState& state, casefile::SessionLog& log);
 
-  // What held at the previous state.
+  // Values of the previous state.
   bool has_head_ = false, has_coil_ = false, has_faulted_ = false, has_corrected_ = false;
   int check_ = 0;
-  std::string coil_;               // whose poses the lines of poses.csv are
-  std::optional<Timestamp> away_;  // since when a camera is
+  std::string coil_;               // coil of the lines of poses.csv
+  std::optional<Timestamp> away_;  // time since which a camera is away
 };
 
 }  // namespace facenav::session

@@ -29,26 +29,27 @@ struct Event {
 
 struct Answer {
   int pulse = 0;
-  std::variant<double, bool> said;  // MEP in uV, or whether it twitched
+  std::variant<double, bool> said;  // MEP in uV, or whether the muscle twitched
 };
 
-/// What is added to the numbers and times of the frames, so that they follow those of the session's files.
+/// Offsets added to the numbers and times of the frames, so that they continue those of the session's files.
 struct FollowOn {
   std::int64_t frames = 0;
   double seconds = 0;
 };
 
-constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, where no clock tells
+constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, if no clock is shared
 constexpr double kClockStep_s = 1.0;
 constexpr double kLogRetry_s = 1.0;              // after a fault of the disk
 constexpr std::size_t kMostUnwritten = 60 * 60;  // frames that wait for the disk: a minute's worth
-constexpr double kLastPulses_s = 1.0;  // at the end: for a frame (kLongestWait_s), then for the disk
+constexpr double kLastPulses_s = 1.0;  // at the end: wait for a frame (kLongestWait_s), then for the disk
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
   return folder.empty() ? std::nullopt : std::optional(casefile::sessionSoFar(folder));
 }
 
-/// Live cameras' clock may have gone on; frame numbers begin again, and so does a recording's clock.
+/// Computes the offsets. Live cameras' clock may have continued; frame numbers restart, and so does a
+/// recording's clock.
 FollowOn followOn(const casefile::SessionSoFar& so_far, const NavigationState& first) {
   FollowOn on;
   if (!so_far.last_frame) return on;
@@ -75,7 +76,7 @@ struct TreatmentLog::Implementation {
         }) {}
 
   const std::shared_ptr<Session> session;
-  const std::optional<casefile::SessionSoFar> so_far;  // of a session that is gone on with
+  const std::optional<casefile::SessionSoFar> so_far;  // set for a continued session
   casefile::SessionLog log;                            // used only by the thread once it runs
   const std::filesystem::path folder;
   const std::function<std::chrono::system_clock::time_point()> clock;
@@ -88,16 +89,16 @@ struct TreatmentLog::Implementation {
   std::deque<Event> events;
   std::deque<Answer> answers;
   std::string failure;
-  std::atomic<bool> has_followed_all{false};  // the session has ended, and its last frame was followed
+  std::atomic<bool> has_followed_all{false};  // true after the session's last frame was followed
   std::thread follower;               // gives pulses and pictures their frames; never waits for the disk
-  std::optional<FollowOn> follow_on;  // used only by it; set by the first frame of a session that goes on
+  std::optional<FollowOn> follow_on;  // used only by `follower`; set by the first frame
   std::thread thread;                 // writes
-  // Used only by the thread that writes.
+  // Members used only by the writing thread.
   StateChanges changes;
   bool has_noted_end = false;
   std::string evidence_fault;
-  std::optional<Timestamp> broken;  // since when nothing can be written
-  std::optional<double> ahead_s;    // the time of day against the steady clock
+  std::optional<Timestamp> broken;  // time since which writing fails
+  std::optional<double> ahead_s;    // time of day minus the steady clock
   Timestamp retry;
 
   void follow();
@@ -119,7 +120,7 @@ struct TreatmentLog::Implementation {
 };
 
 void TreatmentLog::Implementation::write(const NavigationState& state) {
-  changes.note(state, log);  // before the rows: whose coil they are of
+  changes.note(state, log);  // before the rows, which belong to this coil
   if (state.frame >= 0) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
@@ -140,7 +141,7 @@ std::shared_ptr<const NavigationState> TreatmentLog::Implementation::asLogged(
   return shifted;
 }
 
-/// What keeps pictures from being kept, and that they are kept again.
+/// Logs when pictures cannot be stored, and when they can again.
 void TreatmentLog::Implementation::noteEvidence() {
   if (!evidence) return;
   const std::string fault = evidence->failure();
@@ -151,7 +152,7 @@ void TreatmentLog::Implementation::noteEvidence() {
   evidence_fault = fault;
 }
 
-/// The times of frames and pulses are those of the steady clock, which nobody sets.
+/// Logs a change of the time of day. Frames and pulses use the steady clock, which nobody sets.
 void TreatmentLog::Implementation::noteClock() {
   const double now_s = std::chrono::duration<double>(clock().time_since_epoch()).count() - Timestamp::now().s;
   if (ahead_s && std::abs(now_s - *ahead_s) > kClockStep_s)
@@ -161,7 +162,7 @@ void TreatmentLog::Implementation::noteClock() {
   ahead_s = now_s;
 }
 
-/// One is taken from the list only once it is written.
+/// Writes the events; each leaves the list only after it is written.
 void TreatmentLog::Implementation::writeEvents() {
   for (;;) {
     Event event;
@@ -176,7 +177,7 @@ void TreatmentLog::Implementation::writeEvents() {
   }
 }
 
-/// An MEP waits until its pulse is in the file.
+/// Writes the answers; an MEP waits until its pulse is in the file.
 void TreatmentLog::Implementation::writeAnswers() {
   for (;;) {
     Answer first;
@@ -208,7 +209,7 @@ void TreatmentLog::Implementation::setFailure(const std::string& words) {
   failure = words;
 }
 
-/// What cannot be written is left out, said, and tried again after a second.
+/// Runs `work`. On a fault of the disk, reports it and tries again after a second.
 template <class Work>
 void TreatmentLog::Implementation::tried(Work work) {
   if (broken && !is_stopping && retry - Timestamp::now() > 0) return;
@@ -240,7 +241,7 @@ void TreatmentLog::Implementation::noteEnd() {
   has_noted_end = true;
 }
 
-/// The answers to the last pulses need them in the file.
+/// Waits until the last pulses are in the file, because their answers need them there.
 void TreatmentLog::Implementation::awaitPulses() const {
   const Timestamp begin = Timestamp::now();
   while (pulses.waiting() > 0 && pulses.failure().empty() && Timestamp::now() - begin < kLastPulses_s)
@@ -269,7 +270,7 @@ void TreatmentLog::Implementation::follow() {
       }
       continue;
     }
-    if (evidence) evidence->follow(*state);  // first: a pulse is placed by the next line
+    if (evidence) evidence->follow(*state);  // first, because the next line completes a pulse
     pulses.follow(*state);
     auto row = std::make_shared<NavigationState>(*state);
     row->images.reset();
@@ -280,7 +281,7 @@ void TreatmentLog::Implementation::follow() {
   }
 }
 
-/// Waits for it for a moment; null: there is none.
+/// Returns the next state to write, waiting a moment for it; null: none.
 std::shared_ptr<const NavigationState> TreatmentLog::Implementation::nextRow() {
   std::unique_lock lock(mutex);
   if (!is_stopping)

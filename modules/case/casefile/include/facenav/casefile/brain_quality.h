@@ -1,7 +1,7 @@
 #pragma once
-// BrainQuality: how far prepare trusts its own brain mask and surface, for the radiographer. It states how
-// far the mask may be off in each region, and how far the phi-theta surface lies from the true one. Kept in
-// case.json as an additive key.
+// BrainQuality: how certain prepare's brain mask and surface are, for the radiographer: the possible error of
+// the mask in each region, and the distance of the phi-theta surface from the true one. Stored in case.json
+// as an additive key.
 
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@ namespace facenav::casefile {
 struct RegionConfidence {
   std::string region;     // "left temporal pole"
   double confidence = 1;  // share of the region's surface whose position is certain to 2 mm, 0..1
-  double doubt_mm = 0;    // 90 % of its surface is certain to this
+  double doubt_mm = 0;    // 90 % of its surface is certain to this distance
 };
 
 struct BrainQuality {
-  std::vector<RegionConfidence> regions;  // least certain first; empty where the method states no uncertainty
+  std::vector<RegionConfidence> regions;  // least certain first; empty if the method gives no uncertainty
   /// Distance from each vertex of the true surface (cortex with open sulci, cortex.vtp) to the phi-theta
   /// surface.
   double surface_median_mm = 0, surface_p95_mm = 0;

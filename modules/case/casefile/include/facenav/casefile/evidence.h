@@ -35,15 +35,15 @@ struct EvidenceRules {
 
 class EvidenceFolder {
  public:
-  /// Writes nothing before the first keep(). What a crash left behind of an earlier run is mended then.
+  /// Writes nothing before the first keep(), which also repairs what a crash left of an earlier run.
   EvidenceFolder(std::filesystem::path session_folder, const cameras::StereoRig& rig);
   ~EvidenceFolder();
   EvidenceFolder(const EvidenceFolder&) = delete;
   EvidenceFolder& operator=(const EvidenceFolder&) = delete;
 
-  /// Keeps both pictures, under the number and time that poses.csv has for them. False: not needed, because
-  /// this frame is kept already, or a later one is (a recording's frames rise). Throws Error (disk full, ..);
-  /// then nothing of the frame is kept.
+  /// Stores both pictures under the frame number and time of poses.csv. Returns false if this frame or a
+  /// later one is stored already (frame numbers of a recording rise). Throws Error (disk full, ..); then
+  /// nothing of the frame is stored.
   bool keep(const cameras::StereoFrame& frame);
 
  private:
@@ -51,12 +51,12 @@ class EvidenceFolder {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The session's evidence/; it may not exist.
+/// Path of the session's evidence/; it may not exist.
 std::filesystem::path evidenceFolder(const std::filesystem::path& session_folder);
-/// Makes evidence/ a whole recording again where a crash cut a frame short: removes pictures of one side
-/// alone and damaged lines. Not for a session that runs. Throws Error.
+/// Repairs evidence/ where a crash cut a frame short: removes pictures of one side alone and damaged lines.
+/// Not for a running session. Throws Error.
 void mendEvidence(const std::filesystem::path& session_folder);
-/// The frame whose pictures belong to the pulse; nothing where none were kept.
+/// Number of the frame whose pictures belong to the pulse; nothing if none were stored.
 std::optional<std::int64_t> evidenceFrame(const std::filesystem::path& session_folder, const Pulse& pulse);
 
 }  // namespace facenav::casefile

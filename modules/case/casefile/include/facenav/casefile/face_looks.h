@@ -25,7 +25,8 @@ struct StoredKeyFrame {
 
 constexpr std::size_t kMostLooks = 6;
 
-/// Empty if there are none. Throws Error naming a file that cannot be read or does not fit its rig.
+/// Reads the key frames; empty if there are none. Throws Error naming a file that cannot be read or does not
+/// fit its rig.
 std::vector<StoredKeyFrame> readKeyFrames(const std::filesystem::path& case_folder);
 /// Adds key frames to those that exist, all or none. Beyond kMostLooks, the oldest are removed. Sets
 /// captured_utc where it is empty. Throws Error.

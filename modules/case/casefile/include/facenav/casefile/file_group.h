@@ -22,12 +22,12 @@ class FileGroup {
   FileGroup(const FileGroup&) = delete;
   FileGroup& operator=(const FileGroup&) = delete;
 
-  /// Write files and folders here, under their final names.
+  /// Private folder to write files and folders into, under their final names.
   const std::filesystem::path& staging() const { return fresh_; }
-  /// Sets 0600 on files and 0700 on folders, syncs them to the disk and moves each into its place. The others
-  /// do not count without the file `key`: its old version is removed first and its new one is placed last, so
-  /// a crash in between leaves no mixture of old and new. Throws Error if one cannot be replaced (also a file
-  /// by a folder); then nothing has changed.
+  /// Sets 0600 on files and 0700 on folders, syncs them to the disk and moves each into its place. Readers
+  /// ignore the others while the file `key` is missing: its old version is removed first and its new one is
+  /// placed last, so a crash in between leaves no mixture of old and new. Throws Error if one cannot be
+  /// replaced (also a file by a folder); then nothing has changed.
   void commit(const std::string& key);
 
  private:
@@ -41,13 +41,13 @@ class FileGroup {
 
   std::filesystem::path folder_, root_, fresh_, old_;
   std::vector<Move> moves_;
-  bool keeps_old_ = false;  // moving them back failed
+  bool keeps_old_ = false;  // set if moving them back failed
   std::unique_ptr<GroupLock> lock_;
 };
 
-/// Removes the private folders that killed programs left in `folder`. It never touches one whose program may
-/// still run, on this machine or on another that shares the folder, nor the only copy of a file (an
-/// alignment that was being replaced). What cannot be removed is left without a word.
+/// Removes the private folders that killed programs left in `folder`. Never removes one whose program may
+/// still run, on this machine or on another that shares the folder, nor the only copy of a file (an alignment
+/// that was being replaced). Ignores folders that cannot be removed.
 void removeAbandonedGroups(const std::filesystem::path& folder);
 
 }  // namespace facenav::casefile

@@ -11,9 +11,9 @@ namespace facenav::casefile {
 
 /// Writes the whole file, 0600.
 void writeNavigationCheck(const surface::NavigationCheck& check, const std::filesystem::path& path);
-/// Throws Error naming file and key.
+/// Reads the file. Throws Error naming file and key.
 surface::NavigationCheck readNavigationCheck(const std::filesystem::path& path);
-/// Nothing if the case has none.
+/// Reads the case's navigation check; nothing if it has none.
 std::optional<surface::NavigationCheck> navigationCheckOf(const CaseStore& store);
 
 }  // namespace facenav::casefile

@@ -24,10 +24,10 @@ struct PoseRow {
   std::optional<Eigen::Isometry3d> pose;  // absent when lost
   double quality = 0.0;                   // 0..1
   std::optional<LostReason> reason;       // when lost
-  std::string of_frame = {};              // the pose is camera_T_<this>: mri, head, coil, marker; "" unknown
-  std::string detail = {};                // when lost: one word, finer than the reason, for people; "" none
+  std::string of_frame = {};              // the pose is camera_T_<this>: mri, head, coil, marker; "": unknown
+  std::string detail = {};                // when lost: one word, finer than the reason, for people; "": none
 
-  /// The pose in the frames that the caller knows it has, or Lost.
+  /// Returns the pose in the frames that the caller gives, or Lost.
   template <class To, class From>
   Tracked<RigidTransform<To, From>> tracked() const {
     if (!pose) return Lost{reason.value_or(LostReason::stale)};
@@ -35,8 +35,8 @@ struct PoseRow {
   }
 };
 
-/// The word for a frame in the optional column of_frame. It tells a pose of the head since tracking started
-/// from a pose of the MRI.
+/// Word for a frame in the column of_frame (FaceNav's addition to resources/doc/formats.md). It distinguishes
+/// a pose of the head since tracking started from a pose of the MRI.
 template <class Frame>
 constexpr const char* frameWord() {
   if constexpr (std::is_same_v<Frame, Mri>) return "mri";
@@ -54,12 +54,13 @@ PoseRow poseRow(std::int64_t frame, double t_s, PoseObject object,
 }
 
 std::string posesCsvHeader();
-/// One line with its newline. The decimal point does not depend on the locale.
+/// Formats one line with its newline. The decimal point does not depend on the locale.
 std::string toCsvLine(const PoseRow& row);
 /// Writes the whole file. Throws Error.
 void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path);
-/// Columns in any order; unknown ones are ignored. Throws Error naming file and line: a missing column, a
-/// field that is no number, a tracked row without a unit quaternion, an unknown status, object or reason.
+/// Reads poses.csv, with columns in any order; unknown ones are ignored. Throws Error naming file and line: a
+/// missing column, a field that is no number, a tracked row without a unit quaternion, an unknown status,
+/// object or reason.
 std::vector<PoseRow> readPoses(const std::filesystem::path& path);
 
 }  // namespace facenav::casefile

@@ -27,10 +27,10 @@ class SessionLog {
   const std::filesystem::path& folder() const;
   void add(const PoseRow& row);
   void add(const guidance::GuidanceRow& row);
-  /// One line {"utc": .., "event": .., "detail": ..}. Must not contain a patient's name.
+  /// Appends one line {"utc": .., "event": .., "detail": ..}. Must not contain a patient's name.
   void addEvent(const std::string& event, const std::string& detail = {});
-  /// Where the session's folder was removed: makes its files again with all that they held. False: they were
-  /// there. Throws Error.
+  /// Makes the session's files again, with all their content, if its folder was removed. Returns false if
+  /// they exist. Throws Error.
   bool putBack();
   /// Syncs everything to the disk; may take milliseconds.
   void sync();

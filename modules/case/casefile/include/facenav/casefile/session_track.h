@@ -1,7 +1,7 @@
 #pragma once
 // SessionTrack: head, coil and guidance frame by frame, from poses.csv and guidance.csv of a session or of
 // `facenav track` and `guide`. Compact: some 100 bytes a frame, so that hours fit into memory. A torn or
-// damaged line is left out and counted; nothing is filled in: a frame without a pose is lost.
+// damaged line is left out and counted. Gaps are not filled: a frame without a pose is lost.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace facenav::casefile {
 
-/// Values of a line of guidance.csv, under their names there.
+/// Values of a line of guidance.csv, with the names used there.
 struct TrackGuidance {
   float distance_mm = 0, lateral_mm = 0, depth_mm = 0, tilt_deg = 0, twist_deg = 0, beam_miss_mm = 0,
         predicted_error_mm = 0;
@@ -29,7 +29,7 @@ struct TrackMoment {
   Pose head, coil;
   TrackGuidance guidance;
   bool has_head = false, has_coil = false, has_guidance = false;
-  // Indices of SessionTrack::words: why head or coil is lost; target and state of the guidance. 0: no word.
+  // Indices into SessionTrack::words: why head or coil is lost; target and state of the guidance. 0: no word.
   std::uint16_t head_reason = 0, coil_reason = 0, target = 0, state = 0;
 
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri() const;
@@ -40,16 +40,16 @@ struct SessionTrack {
   std::vector<TrackMoment> moments;  // by time
   std::vector<std::string> words{""};
   std::vector<std::string> problems;
-  bool is_in_mri = true;  // false: the head's poses are not those of the MRI (tracked without a case)
-  bool is_coil = true;    // false: they are those of the marker (tracked without a coil file)
+  bool is_in_mri = true;  // false: tracked without a case, so the head's poses are not those of the MRI
+  bool is_coil = true;    // false: tracked without a coil file, so they are those of the marker
 
   const std::string& word(std::uint16_t index) const { return words[index]; }
   double duration_s() const { return moments.empty() ? 0.0 : moments.back().t_s - moments.front().t_s; }
-  /// Index of the last moment at or before `t_s` (0 if all are later). Not for an empty track.
+  /// Index of the last moment at or before `t_s` (0 if all are later). Requires a track with moments.
   std::size_t at(double t_s) const;
 };
 
-/// `guidance_csv` may be missing. Throws Error: no poses.csv, or one without the columns of
+/// Reads a track; `guidance_csv` may be missing. Throws Error: no poses.csv, or one without the columns of
 /// resources/doc/formats.md.
 SessionTrack readSessionTrack(const std::filesystem::path& poses_csv,
                               const std::filesystem::path& guidance_csv);

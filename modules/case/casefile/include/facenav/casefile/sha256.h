@@ -6,11 +6,11 @@
 
 namespace facenav::casefile {
 
-/// Lower-case hex of a file's content. Throws Error when it cannot be read.
+/// Computes the hash of a file's content in lower-case hex. Throws Error when it cannot be read.
 std::string sha256OfFile(const std::filesystem::path& path);
 std::string sha256OfText(const std::string& text);
-/// A file's hash. For a folder: the hash of the sorted hashes of all its files, so that it does not depend on
-/// names (which may be a patient's) or order.
+/// Computes the hash of a file or folder. A folder's hash is that of the sorted hashes of all its files, so
+/// it does not depend on their order or names (which may be a patient's).
 std::string sha256OfInput(const std::filesystem::path& path);
 
 }  // namespace facenav::casefile

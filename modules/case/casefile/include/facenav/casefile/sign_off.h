@@ -1,8 +1,8 @@
 #pragma once
-// SignOff: a named person states that they looked at a case's model and that it may be used for treatment. It
-// is kept as sign_off.json in the case and holds only for the files that were shown. It becomes void when a
-// mask is edited, a model is made again, or a correction of the brain is unfinished. The state of a case
-// (prepared, checked, planned) follows from the sign-off and the targets; it is not stored.
+// SignOff: a named person confirms that they looked at a case's model and that it may be used for treatment.
+// It is stored as sign_off.json in the case and valid only for the files that were shown. It becomes void
+// when a mask is edited, a model is made again, or a correction of the brain is unfinished. The state of a
+// case (prepared, checked, planned) follows from the sign-off and the targets; it is not stored.
 
 #include <map>
 #include <optional>
@@ -14,7 +14,7 @@
 namespace facenav::casefile {
 
 enum class CaseState { prepared, checked, planned };
-/// "prepared", "checked", "planned".
+/// Returns "prepared", "checked" or "planned".
 std::string toString(CaseState state);
 
 struct SignOff {
@@ -24,22 +24,23 @@ struct SignOff {
   std::map<std::string, std::string> seen_sha256;  // file name in the case -> hash
 };
 
-/// File name in the case -> hash, for everything that a sign-off covers: masks and surfaces.
+/// Hashes of all files that a sign-off covers (masks and surfaces), by file name in the case.
 std::map<std::string, std::string> seenFiles(const CaseStore& store);
 
 struct SignOffRequest {
   std::string by, note;
   bool acknowledges_findings = false;
-  /// seenFiles() when the case was shown. If given, the sign-off is refused where a file has changed since.
+  /// Result of seenFiles() when the case was shown. If given, the sign-off is refused where a file has
+  /// changed since.
   std::optional<std::map<std::string, std::string>> shown_sha256 = {};
 };
 
 /// Writes sign_off.json (whole, 0600). Throws Error: no name, findings not acknowledged, files that changed
 /// since they were shown, or an unfinished correction of the brain.
 SignOff signOff(const CaseStore& store, const SignOffRequest& request);
-/// Nothing if there is none or it no longer holds. Throws Error for a malformed file.
+/// Returns the sign-off; nothing if there is none or it is void. Throws Error for a malformed file.
 std::optional<SignOff> validSignOff(const CaseStore& store);
-/// The last sign-off and whether it still holds.
+/// The last sign-off and whether it is still valid.
 struct SignOffStatus {
   std::optional<SignOff> last;       // nothing: the case was never signed off
   std::vector<std::string> changed;  // files changed, added or removed since
@@ -47,16 +48,17 @@ struct SignOffStatus {
 
   bool holds() const { return last.has_value() && changed.empty() && !has_draft; }
 };
-/// Throws Error for a malformed file.
+/// Reads the sign-off and compares the files. Throws Error for a malformed file.
 SignOffStatus signOffStatus(const CaseStore& store);
-/// planned needs a valid sign-off and a target. With a target but no sign-off the case is only prepared.
+/// State of the case. planned needs a valid sign-off and a target; with a target but no sign-off it is only
+/// prepared.
 CaseState stateOf(const CaseStore& store);
-/// A treatment on a case without a sign-off: kept in case.json with name and reason. Throws Error if either
-/// is missing.
+/// Records, in case.json, a treatment on a case without a sign-off, with name and reason. Throws Error if
+/// either is missing.
 void recordOverride(const CaseStore& store, const std::string& by, const std::string& reason,
                     const std::string& software_version);
 
-/// One line of the worklist. `problem` says why a case cannot be read; the rest is then empty.
+/// One line of the worklist. `problem` is why a case cannot be read; the rest is then empty.
 struct WorklistEntry {
   std::filesystem::path folder;
   std::string case_id, label, created_utc;
@@ -65,8 +67,8 @@ struct WorklistEntry {
   std::string checked_by, problem;
   std::string stamp;  // sizes and times of the case's files: an equal stamp means an equal entry
 };
-/// The cases directly in `folder`, newest first, damaged ones last. Throws Error when the folder cannot be
-/// read. An entry of `known` (an earlier list) is reused if nothing in its folder changed, which saves
+/// Lists the cases directly in `folder`, newest first, damaged ones last. Throws Error when the folder cannot
+/// be read. An entry of `known` (an earlier list) is reused if nothing in its folder changed, which saves
 /// reading and hashing its files.
 std::vector<WorklistEntry> listCases(const std::filesystem::path& folder,
                                      const std::vector<WorklistEntry>& known = {});

@@ -1,7 +1,7 @@
 #pragma once
-// The MRI's skin over the camera pictures, where the head's pose puts it: its occluding contour (the rim of
-// head, nose, chin and ears as each camera sees them), points of the skin, and named places. A person sees at
-// a glance whether they lie on the live face. This measures nothing.
+// Draws the MRI's skin over the camera pictures at the head's pose: its occluding contour (the rim of head,
+// nose, chin and ears in each camera), points of the skin, and named places. A person checks at a glance
+// whether they lie on the live face. This measures nothing.
 
 #include <memory>
 #include <vector>
@@ -14,20 +14,20 @@
 
 namespace facenav::pictures {
 
-/// What is drawn, made once for a case.
+/// Skin to draw; made once for a case.
 struct AlignedSkin {
-  surface::TriangleMesh mesh;     // Mri; thinned, so that it is drawn in milliseconds
+  surface::TriangleMesh mesh;     // Mri; thinned, so that drawing takes milliseconds
   std::vector<std::size_t> dots;  // vertices that are drawn as points, about kDots_mm apart
   std::vector<surface::NamedPlace> places;
 
   static constexpr double kMesh_mm = 3.0, kDots_mm = 12.0;
 };
 
-/// `scalp`: Mri, with normals. Its vertices are joined within cubes of AlignedSkin::kMesh_mm; the contour
-/// moves by 0.1 mm or less on skin with a radius of 10 mm.
+/// Thins the scalp. `scalp`: Mri, with normals. Its vertices are joined within cubes of
+/// AlignedSkin::kMesh_mm; this moves the contour by 0.1 mm or less on skin with a radius of 10 mm.
 AlignedSkin makeAlignedSkin(const surface::TriangleMesh& scalp, std::vector<surface::NamedPlace> places);
 
-/// The skin on both pictures; `frame`: 8-bit, 1 channel, of the rig's size.
+/// Draws the skin on both pictures; `frame`: 8-bit, 1 channel, of the rig's size.
 CameraOverlay drawAlignedSkin(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                               const RigidTransform<Camera, Mri>& camera_T_mri, const AlignedSkin& skin);
 
@@ -35,7 +35,7 @@ CameraOverlay drawAlignedSkin(const cameras::StereoRig& rig, const cameras::Ster
 struct ContourPiece {
   Eigen::Vector2d from_px, to_px;
 };
-/// The contour as one camera sees it. `view_T_mri`: Mri in the camera's frame. Hidden parts are left out.
+/// Occluding contour in one camera. `view_T_mri`: Mri in the camera's frame. Hidden parts are left out.
 std::vector<ContourPiece> occludingContour(const surface::TriangleMesh& mesh,
                                            const Eigen::Isometry3d& view_T_mri,
                                            const cameras::CameraModel& lens, int width_px, int height_px);

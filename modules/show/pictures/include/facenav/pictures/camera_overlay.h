@@ -11,16 +11,16 @@
 
 namespace facenav::pictures {
 
-/// For the check of the alignment by eye: the MRI's skin, the point of the coil that is held to the face, and
-/// the spot that a person picked in a picture, where there is one.
+/// What to draw for the visual check of the alignment: the MRI's skin, the point of the coil that is held to
+/// the face, and the spot that a person picked, if there is one.
 struct AlignmentShown {
   std::shared_ptr<const AlignedSkin> skin;  // not null
   Point<Coil> tip;
   std::optional<Point<Mri>> spot = {};
 };
 
-/// `target` may be absent. A lost pose is not drawn; text at the top of the image says so. With `alignment`,
-/// the MRI's skin and the coil's tip are drawn in place of what tracking sees in the face.
+/// Draws the results of one frame. `target` may be absent. A lost pose is not drawn; a text at the top of the
+/// image reports it. With `alignment`, the MRI's skin and the coil's tip replace the face's features.
 CameraOverlay drawOverlay(const cameras::StereoRig& rig, const session::NavigationState& state,
                           const std::optional<guidance::Target>& target = std::nullopt,
                           const std::optional<AlignmentShown>& alignment = std::nullopt);

@@ -1,5 +1,5 @@
 #pragma once
-// CameraOverlay: both cameras' pictures with something drawn over them.
+// CameraOverlay: the pictures of both cameras with drawings.
 
 #include "facenav/core/rgb_image.h"
 

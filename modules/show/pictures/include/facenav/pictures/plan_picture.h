@@ -1,6 +1,6 @@
 #pragma once
-// The plan on the head: scalp with landmarks, EEG sites, and each target's coil as its plate's outline with
-// the handle's direction. Drawn without a screen.
+// Draws the plan on the head: scalp with landmarks, EEG sites, and each target's coil as its plate's outline
+// with the handle's direction. Needs no screen.
 
 #include <string>
 #include <vector>
@@ -14,10 +14,10 @@ namespace facenav::pictures {
 
 using surface::NamedPlace;
 
-/// From the left, the front, above, the right and behind, side by side; 2 pixels per mm, along the axes of
-/// Mri. A place is drawn where no skin hides it. `landmarks` are orange, `sites` green, targets blue. Of a
-/// grid, the seed is drawn whole and its other targets as dots, so that the picture stays readable; the
-/// target called `active` is drawn whole in any case, and is the only one named where one is given.
+/// Draws the views from the left, front, top, right and back side by side; 2 pixels per mm, along the axes of
+/// Mri. Points hidden by skin are left out. `landmarks` are orange, `sites` green, targets blue. A grid's
+/// seed is drawn whole and its other targets as dots, so that the picture stays readable. The target called
+/// `active` is always drawn whole; if it is given, only its name is drawn.
 RgbImage drawPlan(const surface::ScalpSurface& scalp, const std::vector<NamedPlace>& landmarks,
                   const std::vector<NamedPlace>& sites, const std::vector<guidance::Target>& targets,
                   const guidance::CoilPlate& plate, const std::string& active = {});

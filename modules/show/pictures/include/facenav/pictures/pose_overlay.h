@@ -1,7 +1,7 @@
 #pragma once
 // Draws stored poses over the camera pictures of their frame, for review: the scalp's outline and the target
-// where the head's pose puts them, the coil's plate, handle and axis where the coil's pose puts them. A
-// person sees whether poses and pictures agree. A pose that is not known is not drawn.
+// at the head's pose, and the coil's plate, handle and axis at the coil's pose. A person checks whether poses
+// and pictures agree. An unknown pose is not drawn.
 
 #include <optional>
 #include <string>
@@ -19,10 +19,10 @@ struct StoredPoses {
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
   std::optional<guidance::Target> target;
-  std::string loss;  // why one is not known, in words; drawn at the top
+  std::string loss;  // why a pose is unknown; drawn at the top
 };
 
-/// `scalp` (Mri, mm): its outline is drawn; may be empty. The pictures are 8-bit grey, of the rig's size.
+/// Draws the poses. `scalp` (Mri, mm) may be empty. The pictures are 8-bit grey, of the rig's size.
 CameraOverlay drawPoses(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                         const StoredPoses& poses, const surface::TriangleMesh& scalp,
                         const guidance::CoilPlate& plate);

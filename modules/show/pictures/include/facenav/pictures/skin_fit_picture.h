@@ -1,6 +1,6 @@
 #pragma once
-// A picture of the skin fit: the measured points on the left camera's image, with a scale. Orange: the live
-// skin is outside the MRI's; blue: inside; grey: the point was not used (hair, a hand).
+// Draws the skin fit: the measured points on the left camera's image, with a scale. Orange: the live skin is
+// outside the MRI's; blue: inside; grey: the point was not used (hair, a hand).
 
 #include "facenav/core/rgb_image.h"
 #include "facenav/registration/aligner.h"
@@ -8,7 +8,8 @@
 
 namespace facenav::pictures {
 
-/// `plain_left`: 8-bit, 1 channel, the capture's left image without projected dots. Full colour at `full_mm`.
+/// Draws the picture. `plain_left`: 8-bit, 1 channel, the capture's left image without projected dots. Full
+/// colour at `full_mm`.
 RgbImage drawSkinFit(const cv::Mat& plain_left, const stereo::FaceCloud& face,
                      const registration::AlignmentResult& alignment, double full_mm = 1.5);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Pictures side by side, each with a line of words over it: a sheet for the command line and reports. Drawn
-// without a screen.
+// Arranges pictures side by side, each with a title: a sheet for the command line and reports. Needs no
+// screen.
 
 #include <string>
 #include <vector>
@@ -10,13 +10,13 @@
 namespace facenav::pictures {
 
 struct TitledPicture {
-  std::string title;  // letters of ASCII only
+  std::string title;  // ASCII only
   RgbImage image;
 };
 
-/// In one row, top edges level, on a dark ground.
+/// Arranges the pictures in one row, top edges aligned, on a dark ground.
 RgbImage titledRow(const std::vector<TitledPicture>& pictures);
-/// One row under the other, left edges level.
+/// Arranges rows below each other, left edges aligned.
 RgbImage stacked(const std::vector<RgbImage>& rows);
 
 }  // namespace facenav::pictures

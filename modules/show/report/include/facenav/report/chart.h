@@ -1,7 +1,7 @@
 #pragma once
-// Chart: a plain drawing of lines, bars, marks and words, without colours: each shape says what it means
-// (Ink), and the page or window that draws it gives the colour. Used for the report (SVG), the window and the
-// PDF. Units: 1 = a pixel of the page at usual size; origin top left, y down.
+// Chart: a drawing of lines, bars, marks and words, without colours: each shape has a meaning (Ink), and the
+// page or window that draws it chooses the colour. Used for the report (SVG), the window and the PDF. Units:
+// 1 = a pixel of the page at usual size; origin top left, y down.
 
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ struct Chart {
   std::vector<ChartShape> shapes;
 };
 
-/// For a white page.
+/// Returns the chart as SVG, for a white page.
 std::string chartSvg(const Chart& chart);
 
 }  // namespace facenav::report

@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of a pulse by which pulses can be coloured, sorted and plotted: name, unit, decimals and value
-// of each. The names are the columns of pulses.csv.
+// The numbers by which pulses can be coloured, sorted and plotted: name, unit, decimals and value of each.
+// The names are the columns of pulses.csv.
 
 #include <array>
 #include <optional>
@@ -33,12 +33,12 @@ struct PulseColumnWords {
   int decimals;
 };
 
-/// In the order of the enumeration.
+/// Words of all columns, in the order of the enumeration.
 const std::array<PulseColumnWords, 12>& pulseColumns();
 const PulseColumnWords& wordsOf(PulseColumn column);
-/// Nothing where it is not known. Twist and depth keep their sign.
+/// Value of a column; nothing if unknown. Twist and depth keep their sign.
 std::optional<double> valueOf(const casefile::Pulse& pulse, PulseColumn column);
-/// "2.4"; empty where it is not known.
+/// Value as text: "2.4"; empty if unknown.
 std::string valueText(const casefile::Pulse& pulse, PulseColumn column);
 
 }  // namespace facenav::report

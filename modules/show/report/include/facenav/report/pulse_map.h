@@ -1,5 +1,5 @@
 #pragma once
-// Where the pulses of a session went on a surface of the brain, and the map of their MEPs.
+// Locates the pulses of a session on a surface of the brain, and maps their MEPs.
 
 #include <optional>
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace facenav::report {
 
-/// One per pulse: where the coil's axis meets the surface; nothing without a pose, or where it misses. Takes
-/// about a millisecond a pulse for the brain model.
+/// Returns, for each pulse, where the coil's axis meets the surface; nothing without a pose, or where it
+/// misses. Takes about a millisecond a pulse for the brain model.
 std::vector<std::optional<Point<Mri>>> placesOn(const surface::TriangleMesh& surface,
                                                 const std::vector<casefile::ReviewedPulse>& pulses);
 
-/// Of the pulses that are not excluded and have a place and an MEP. `places`: as of placesOn.
+/// Maps the MEPs of pulses that are not excluded and have a position and an MEP. `places`: as returned by
+/// placesOn.
 std::optional<guidance::MepMap> mepMapOf(const surface::TriangleMesh& surface,
                                          const std::vector<casefile::ReviewedPulse>& pulses,
                                          const std::vector<std::optional<Point<Mri>>>& places);

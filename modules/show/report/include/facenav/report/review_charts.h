@@ -1,5 +1,5 @@
 #pragma once
-// The charts of a session: histogram of a number, drift of a number over time, places of the coil.
+// The charts of a session: histogram of a number, a number over time, positions of the coil.
 
 #include <optional>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace facenav::report {
 
-/// Bars of width `bin` from 0; a dashed line at `limit`. The last of at most 40 bars also counts what lies
-/// beyond it.
+/// Draws bars of width `bin` from 0, with a dashed line at `limit`. The last of at most 40 bars includes all
+/// larger values.
 Chart histogramChart(const std::string& title, const std::string& x_label, const std::vector<double>& values,
                      double bin, double limit, int width = 340, int height = 260);
 
@@ -20,16 +20,17 @@ struct PlacedPulse {
   double x_mm = 0, y_mm = 0;  // the coil's centre in Target
   bool is_on_target = false, is_excluded = false;
 };
-/// The coil's centres around the target, seen along its z from above, with a dashed circle of `limit_mm`.
+/// Draws the coil's centres around the target, seen along its z from above, with a dashed circle of
+/// `limit_mm`.
 Chart placesChart(const std::string& title, const std::vector<PlacedPulse>& pulses, double limit_mm);
 
-/// A mark per pulse: minutes since the first pulse, against the column.
+/// Draws a mark per pulse: minutes since the first pulse, against the column.
 Chart driftChart(const std::vector<casefile::ReviewedPulse>& pulses, PulseColumn column, int width = 340,
                  int height = 260);
-/// Of the pulses that are not excluded, with a bin that suits the values. No bars where none has a value.
+/// Histogram of the pulses that are not excluded, with a bin that suits the values. No bars without values.
 Chart histogramOf(const std::vector<casefile::ReviewedPulse>& pulses, PulseColumn column, int width = 340,
                   int height = 260);
-/// Where the dashed line is: 2 mm for the error, the tolerance for the tilt; nothing for others.
+/// Value of the dashed line: 2 mm for the error, the tolerance for the tilt; nothing for others.
 std::optional<double> limitOf(PulseColumn column);
 
 }  // namespace facenav::report

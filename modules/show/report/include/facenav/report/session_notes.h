@@ -1,6 +1,6 @@
 #pragma once
-// What is entered about a session by hand, while it runs or afterwards: pain before and after, adverse
-// events, pauses. The names are those of the session's events; the report prints their details as they are.
+// Notes that a person enters about a session, during or after it: pain before and after, adverse events,
+// pauses. The names are those of the session's events; the report prints their details unchanged.
 
 #include <optional>
 #include <string>
@@ -18,12 +18,13 @@ constexpr const char* kSource = "pulse source";
 constexpr const char* kOperator = "operator";
 constexpr const char* kMuscle = "muscle";
 constexpr const char* kStimulator = "stimulator";
-constexpr const char* kTip = "tip check";  // of the alignment, by a person
+constexpr const char* kTip = "tip check";  // a person's check of the alignment
 }  // namespace session_events
 
-/// 0 (none) to 10 (the worst imaginable), as the event's detail: "6", "3.5". Throws Error outside.
+/// Formats a pain score, 0 (none) to 10 (the worst imaginable), as the event's detail: "6", "3.5". Throws
+/// Error outside.
 std::string painWords(double pain);
-/// Trimmed, one line. Throws Error where nothing is left: `what` names it.
+/// Trims the words to one line. Throws Error, naming `what`, if nothing is left.
 std::string noteWords(const std::string& words, const std::string& what);
 
 }  // namespace facenav::report

@@ -1,8 +1,8 @@
 #pragma once
 // The report of a session for the chart, to read and to print. Its fields are those of the TMSMultiLab
-// session sheet v4.1 with navigation added; what no file of the session holds reads "not recorded". It names
-// the case by its id. Written as one HTML page without script or other files; ui/report_pdf.h prints the same
-// content.
+// session sheet v4.1 with navigation added; fields that the session's files lack read "not recorded". It
+// identifies the case by its id. Written as one HTML page without script or other files; ui/report_pdf.h
+// prints the same content.
 
 #include <filesystem>
 #include <optional>
@@ -23,25 +23,25 @@ struct ReportPicture {
 
 struct ReportOptions {
   bool has_name = false;                     // adds the case's label, which may be the patient's name
-  std::vector<ReportPicture> pictures = {};  // as of pulse_pictures.h
+  std::vector<ReportPicture> pictures = {};  // from pulse_pictures.h
 };
 
 struct SessionReport {
   struct Figure {
-    std::optional<Chart> chart;  // else: a picture
+    std::optional<Chart> chart;  // if absent: a picture
     RgbImage picture;
   };
   std::string title, subtitle;
-  std::string body;  // HTML; figure N stands there as <img src="figure:N">
+  std::string body;  // HTML; figure N is <img src="figure:N">
   std::vector<Figure> figures;
 };
 
-/// Throws Error where the case cannot be read.
+/// Makes the report. Throws Error where the case cannot be read.
 SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
                                 const ReportOptions& options = {});
-/// The page's text, with all figures in it.
+/// Returns the page's text, with all figures in it.
 std::string toHtml(const SessionReport& report);
-/// Both steps.
+/// Makes the report and returns its page.
 std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
                           const ReportOptions& options = {});
 

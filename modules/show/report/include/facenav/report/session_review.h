@@ -1,6 +1,6 @@
 #pragma once
-// A kept session at a glance: what the list of sessions and the head of the report show. Every number comes
-// from the session's files; what they do not hold is absent.
+// Summary of a stored session, for the list of sessions and the head of the report. Every number comes from
+// the session's files; what they lack is absent.
 
 #include <optional>
 #include <string>
@@ -14,31 +14,32 @@ namespace facenav::report {
 struct Spread {
   double median = 0, p95 = 0;
 };
-/// Nothing for an empty list.
+/// Median and 95th percentile of the values; nothing for an empty list.
 std::optional<Spread> spreadOf(std::vector<double> values);
 
 struct SessionSummary {
   std::string name, started_utc;  // 2026-11-23T14:05:09Z
   std::optional<double> duration_s;
-  int pulses = 0;  // all; of these:
+  int pulses = 0;  // all pulses; of these:
   int on_target = 0, outside = 0, lost = 0, excluded = 0;
   int double_triggers = 0;            // not counted as pulses
   std::optional<Spread> distance_mm;  // of the pulses that are not excluded and have a pose
   std::optional<Spread> tilt_deg;     // likewise
   std::optional<double> guided_s, off_target_s, lost_s;  // off target includes lost
   int face_losses = 0, coil_losses = 0, faults = 0, adverse_events = 0;
-  bool has_ended = false;             // false: it still runs, or the program or the machine stopped
-  bool is_at_home = false;            // by the person's own hands, near home
-  int continuations = 0;              // it was cut off or ended, and gone on with
-  std::optional<double> clock_set_s;  // the largest step of the time of day between two pulses, over 1 s
-  std::optional<double> predicted_error_mm;  // at the target, as stated with the pulses; median
-  std::optional<std::string> alignment;      // as the session's event says
+  bool has_ended = false;                    // false: it still runs, or the program or the machine stopped
+  bool is_at_home = false;                   // held by the person's own hands, at home
+  int continuations = 0;                     // how often it was continued after it was cut off or ended
+  std::optional<double> clock_set_s;         // largest step of the time of day between two pulses, over 1 s
+  std::optional<double> predicted_error_mm;  // at the target, as stored with the pulses; median
+  std::optional<std::string> alignment;      // detail of the session's event
   int meps = 0;                              // pulses that have one
   std::vector<std::string> problems;         // damaged lines, in words
 };
 
 SessionSummary summarise(const casefile::KeptSession& session);
-/// Oldest first. A session that cannot be read is listed with the reason in `problems`.
+/// Summarises the sessions, oldest first. A session that cannot be read is listed with the reason in
+/// `problems`.
 std::vector<SessionSummary> summariseSessions(const std::filesystem::path& case_folder);
 
 }  // namespace facenav::report

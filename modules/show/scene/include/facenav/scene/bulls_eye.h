@@ -24,7 +24,7 @@ class BullsEye {
   BullsEye& operator=(const BullsEye&) = delete;
 
   void setTolerance(const guidance::Tolerance& tolerance);
-  /// Values beyond the dial's range (20 mm) are drawn at the edge.
+  /// Draws the values. Values beyond the dial's range (20 mm) are drawn at the edge.
   void set(const guidance::GuidanceState& guidance);
   /// Fits the whole dial into a picture of this size, also a narrow one.
   void fit(int width_px, int height_px);

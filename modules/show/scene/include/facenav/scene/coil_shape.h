@@ -19,7 +19,7 @@ struct CoilShape {
 };
 
 CoilShape makeCoilShape(const CoilShapeOptions& options = {});
-/// Throws Error naming the file if it is missing or has no triangles.
+/// Reads the shape. Throws Error naming the file if it is missing or has no triangles.
 CoilShape readCoilShape(const std::filesystem::path& stl);
 
 }  // namespace facenav::scene

@@ -1,7 +1,7 @@
 #pragma once
 // Two slices through the MRI along the coil's axis, one along its handle and one across it, with the coil's
-// plate, its beam, the target and the error's 95 % bound drawn in. They follow the coil: of a planned target
-// or of the live one. Computed without a display. Coil frame: +z into the head, +y away from the handle.
+// plate, its beam, the target and the error's 95 % bound. They follow the planned or the live coil. Computed
+// without a display. Coil frame: +z into the head, +y away from the handle.
 
 #include <optional>
 
@@ -16,25 +16,25 @@ enum class CoilCut { along_handle, across_handle };
 struct SlicedCoil {
   RigidTransform<Mri, Coil> mri_T_coil;
   guidance::CoilPlate plate = guidance::figureOfEight();
-  /// The alignment's error at the target is smaller in 95 of 100 alignments, mm; nothing: not known, and not
-  /// drawn.
+  /// 95 % bound of the alignment's error at the target, mm; nothing: unknown, and not drawn.
   std::optional<double> bound95_mm;
 };
 
 constexpr double kCoilSliceAbove_mm = 22, kCoilSliceDepth_mm = 88;  // shown above and below the contact face
 
-/// The plane through the coil's axis. The image's down is into the head (+z). Along the handle: the handle is
-/// on the left. Across: as seen by the person who holds the handle, so the coil's +x is on the left. The
-/// coil's centre lies on the image's middle column; `zoom` enlarges about a place 40 mm under it.
+/// Plane through the coil's axis. The image's down is into the head (+z). Along the handle: the handle is on
+/// the left. Across: as seen by the person who holds the handle, so the coil's +x is on the left. The coil's
+/// centre lies on the image's middle column; `zoom` enlarges about a point 40 mm under it.
 volume::SlicePlane coilPlane(const RigidTransform<Mri, Coil>& mri_T_coil, CoilCut cut, int width_px,
                              int height_px, double zoom = 1.0);
 
-/// MRI, window, contours, overlays and active target are those of `scene`; its crosshair is drawn where it
-/// lies on the slice. A ring of the error's bound lies on the beam, beside the target's cortex point.
+/// Draws a slice. MRI, window, contours, overlays and active target are those of `scene`; its crosshair is
+/// drawn if it lies on the slice. A ring of the error's bound is drawn on the beam, beside the target's
+/// cortex point.
 RgbImage coilSlicePicture(const SliceScene& scene, const SlicedCoil& coil, CoilCut cut,
                           const volume::SlicePlane& plane);
 
-/// Where the beam passes a point: depth under the contact face and distance from the axis, mm.
+/// Position of a point relative to the beam: depth under the contact face and distance from the axis, mm.
 struct BeamPassing {
   double depth_mm = 0, miss_mm = 0;
 };

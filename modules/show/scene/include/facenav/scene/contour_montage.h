@@ -14,8 +14,8 @@ struct MontageOptions {
   int axial_rows = 2, coronal_rows = 2, sagittal_rows = 1;
 };
 
-/// The best sheet for an area of this size: five to eight rows, tiles of 60 px or more, at least two fifths
-/// of the rows axial.
+/// Chooses the sheet for an area of this size: five to eight rows, tiles of 60 px or more, at least two
+/// fifths of the rows axial.
 MontageOptions sheetFor(int width_px, int height_px);
 
 /// Top-left pixel of a tile and the centre of its slice (in the other two axes, the middle of the content).
@@ -31,9 +31,9 @@ struct Montage {
   int tile_px = 0;
 };
 
-/// Slices at equal distances through `content` (the brain's mask, or the head's if there is none). Each tile
-/// shows the content with a margin. Axial from top to bottom, coronal from front to back, sagittal from right
-/// to left. Empty for an empty mask. Crosshair and targets of `scene` are not drawn.
+/// Draws slices at equal distances through `content` (the brain's mask, or the head's if there is none). Each
+/// tile shows the content with a margin. Axial from top to bottom, coronal from front to back, sagittal from
+/// right to left. Empty for an empty mask. Crosshair and targets of `scene` are not drawn.
 Montage contourMontage(const SliceScene& scene, const volume::Mask& content, const MontageOptions& options);
 
 }  // namespace facenav::scene

@@ -20,7 +20,7 @@ struct CortexPicture {
   double full_mm = 2.0;               // distance at the end of the colour scale
 };
 
-/// Takes seconds. `brain`: mask whose hull defines depth 0. Throws Cancelled.
+/// Makes the picture in some seconds. `brain`: mask whose hull defines depth 0. Throws Cancelled.
 CortexPicture makeCortexPicture(const volume::Volume& mri, const volume::Mask& brain,
                                 surface::DetailedCortex cortex, TaskMonitor& monitor);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Tells whether an X display is available. VTK here uses GLX and aborts the program without one, so check
-// before creating a NavigationScene (SliceScene needs none).
+// Checks for an X display. VTK here uses GLX and aborts the program without one, so check before creating a
+// NavigationScene (SliceScene needs none).
 
 namespace facenav::scene {
 

@@ -62,47 +62,48 @@ class NavigationScene {
   // Set once per case.
   void setScalp(const surface::TriangleMesh& scalp);
   void setBrain(const surface::BrainModel& brain);
-  /// The detailed cortex, for the other looks; null: none. setBrain() removes it.
+  /// Sets the detailed cortex, for the other looks; null: none. setBrain() removes it.
   void setCortex(std::shared_ptr<const CortexPicture> cortex);
   void clearBrain();
   void setVolume(const volume::Volume& mri);
   void setTargets(const std::vector<guidance::Target>& targets, const std::string& active);
   void setCoilShape(const CoilShape& shape);
-  /// The planned coil, drawn faintly at a target's pose; nullopt: hidden.
+  /// Sets the planned coil, drawn faintly at a target's pose; nullopt: hidden.
   void setCoilGhost(const std::optional<RigidTransform<Mri, Target>>& mri_T_target);
 
-  // Choices of the user.
-  /// Size of all text in the scene, as a factor of the usual one. Takes effect with attach() and render().
+  // The user's choices.
+  /// Sets the size of all text in the scene, as a factor of the usual one. Takes effect with attach() and
+  /// render().
   void setTextScale(double scale);
   void setLayers(const SceneLayers& layers);
   void setBrainLook(BrainLook look);
-  /// For use while the view or the peel depth moves: larger triangles and rougher edges take a third of the
-  /// time. The layers of the translucent skin cost as much again; they are left out if `is_skin_shown` is
-  /// false.
+  /// Speeds up drawing while the view or the peel depth moves: larger triangles and rougher edges take a
+  /// third of the time. The layers of the translucent skin cost as much again; they are left out if
+  /// `is_skin_shown` is false.
   void setQuick(bool is_quick, bool is_skin_shown = true);
-  /// Both scenes share one camera from now on; `other` defines the views and presets.
+  /// Makes both scenes share one camera; `other` defines the views and presets.
   void shareCamera(NavigationScene& other);
-  /// 0..40 mm, for the look `cortex`; takes a few milliseconds.
+  /// Sets the peel depth, 0..40 mm, for the look `cortex`; takes a few milliseconds.
   void setPeelDepth(double depth_mm);
   void setSliceCentre(const Point<Mri>& centre);
-  /// The two slices of this MRI along the live coil's axis are drawn over the head and follow the coil; null:
-  /// none. Without head or coil there are none.
+  /// Draws the two slices of this MRI along the live coil's axis over the head; null: none. Not drawn while
+  /// head or coil is lost.
   void setCoilSlices(std::shared_ptr<const volume::Volume> mri);
   bool showsCoilSlices() const;
   void setView(ViewPreset preset);
   void setViewFrame(ViewFrame frame);
-  /// For ViewFrame::camera: the left camera's vertical angle of view.
+  /// Sets the left camera's vertical angle of view, for ViewFrame::camera.
   void setCameraAngle(double vertical_rad);
 
   // Set for every frame.
   void setHeadPose(const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri);
   void setCoilPose(const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil);
-  /// On target: ring and axis are blue.
+  /// Colours ring and axis blue while on target.
   void setOnTarget(bool is_on_target);
-  /// Text over the scene; empty: none. It is shown whether or not a pose is lost. A long text is broken into
-  /// lines, so that it lies whole inside the view.
+  /// Sets the text over the scene; empty: none. It is shown whether or not a pose is lost. A long text is
+  /// broken into lines that fit into the view.
   void setBanner(const std::string& words);
-  /// False: no live poses are expected (planning), so nothing is greyed.
+  /// Sets whether live poses are expected. False (planning): nothing is greyed.
   void setLive(bool is_live);
 
   /// True while coil and axis are drawn.
@@ -113,7 +114,7 @@ class NavigationScene {
   void attach(vtkRenderWindow* window, double x0 = 0, double y0 = 0, double x1 = 1, double y1 = 1);
   /// Nearest surface under a display pixel (origin bottom-left, as in VTK).
   std::optional<ScenePick> pick(int x_px, int y_px) const;
-  /// For a view of `width_px` by `height_px` that the scene fills.
+  /// Projection for a view of `width_px` by `height_px` that the scene fills.
   SceneProjection projection(int width_px, int height_px) const;
   /// Renders offscreen.
   RgbImage render(int width_px, int height_px);

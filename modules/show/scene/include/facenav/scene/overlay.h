@@ -1,6 +1,6 @@
 #pragma once
-// Overlay: something of another program shown over the MRI, on slices and in 3-D: a statistical map, a mask,
-// a surface, tracts. Everything is in Mri already. Exactly one of its contents is set.
+// Overlay: content of another program shown over the MRI, on slices and in 3-D: a statistical map, a mask, a
+// surface, tracts. Everything is in Mri already. Exactly one of its contents is set.
 
 #include <memory>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace facenav::scene {
 
-/// Tracts with the box of each line, so that a slice looks at few of them.
+/// Tracts with the box of each line, so that a slice tests few of them.
 struct BoxedTracts {
   surface::TractLines tracts;
   std::vector<Eigen::Vector3f> low_mm, high_mm;  // one per line
@@ -28,21 +28,21 @@ struct Overlay {
   std::shared_ptr<const volume::Volume> mask;  // 0 to 1; shown from 0.5
   std::shared_ptr<const BoxedTracts> tracts;
   std::shared_ptr<const surface::TriangleMesh> mesh;
-  double threshold = 0, full = 1;        // of a map: where its colours begin and end, both signs
-  palette::Rgb colour{0.25, 0.9, 0.45};  // of mask and mesh; tracts show their direction
+  double threshold = 0, full = 1;        // map: start and end of its colours, for both signs
+  palette::Rgb colour{0.25, 0.9, 0.45};  // mask and mesh; tracts are coloured by direction
 };
 
-/// Positive values from dark red to yellow, negative ones from dark blue to pale cyan, lighter throughout.
-/// Beyond `full` as there. `value` of either sign.
+/// Colour of a map's value: positive from dark red to yellow, negative from dark blue to pale cyan, with
+/// rising lightness; constant beyond `full`.
 palette::Rgb mapColour(double value, double threshold, double full);
-/// Red: left-right, green: front-back, blue: up-down, of either sense.
+/// Colour of a direction, of either sense: red left-right, green front-back, blue up-down.
 palette::Rgb directionColour(const Eigen::Vector3f& direction);
 
 /// Draws over an MRI on `plane`. Tracts: the parts within 1 mm of it. A mesh: its cut.
 void paintOverlay(RgbImage& image, const Overlay& overlay, const volume::SlicePlane& plane);
 
-/// The map's value of the largest size within 4 mm under each vertex (against its normal): what a cortex
-/// shows of a map. The depth was chosen: about the thickness of the cortex.
+/// For each vertex, the map's value of the largest size within 4 mm under it (against its normal), about the
+/// thickness of the cortex.
 std::vector<float> valuesUnder(const surface::TriangleMesh& surface, const volume::Volume& map);
 
 }  // namespace facenav::scene

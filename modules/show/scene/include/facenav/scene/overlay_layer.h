@@ -1,6 +1,6 @@
 #pragma once
-// OverlayLayer: overlays in the 3-D scene. Maps and masks lie on the brain's surface; meshes and tracts stand
-// where they are. World must be Mri (ViewFrame::head_fixed).
+// OverlayLayer: overlays in the 3-D scene. Maps and masks are drawn on the brain's surface, meshes and tracts
+// at their own positions. World must be Mri (ViewFrame::head_fixed).
 
 #include <memory>
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace facenav::scene {
 
-/// More lines than this are thinned evenly in 3-D; slices draw all. Chosen for a machine without a graphics
-/// card.
+/// Largest number of lines in 3-D; more are thinned evenly. Chosen for a machine without a graphics card.
+/// Slices draw all.
 constexpr std::size_t kMostLinesIn3d = 10000;
 
 class OverlayLayer {
  public:
-  /// `scene` must outlive it.
+  /// Adds the layer to `scene`, which must outlive it.
   explicit OverlayLayer(NavigationScene& scene);
   ~OverlayLayer();
   OverlayLayer(const OverlayLayer&) = delete;
   OverlayLayer& operator=(const OverlayLayer&) = delete;
 
-  /// `brain`: the surface that maps lie on; null: they are not drawn.
+  /// Sets the overlays. `brain`: the surface that maps are drawn on; null: they are not drawn.
   void set(const std::vector<Overlay>& overlays, const surface::TriangleMesh* brain);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 // The colours of all pictures and of the window: dark, blue and orange (safe for colour blindness), contrast
-// of text on panel above 4.5:1. State is shown by words and shape first (SCREENS.md); colour only repeats it.
+// of text on panel above 4.5:1. Words and shapes show the state (SCREENS.md); colour only repeats it.
 
 #include <array>
 

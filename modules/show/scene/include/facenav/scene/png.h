@@ -11,10 +11,10 @@
 
 namespace facenav::scene {
 
-/// Throws Error if the folder cannot be written to or the image is empty.
+/// Writes the file. Throws Error if the folder cannot be written to or the image is empty.
 void writePng(const RgbImage& image, const std::filesystem::path& path,
               FileAccess access = FileAccess::by_umask);
-/// The bytes of such a file.
+/// Returns the bytes of such a file.
 std::vector<std::uint8_t> pngOf(const RgbImage& image);
 
 }  // namespace facenav::scene

@@ -1,6 +1,6 @@
 #pragma once
-// PulseLayer: pulses in the 3-D scene: where the coil's centre was (disc on the scalp, stroke towards the
-// handle) and where its axis met the cortex (ball), each in a colour of its own; and a heat map on the brain.
+// PulseLayer: pulses in the 3-D scene: the coil's centre (disc on the scalp, stroke towards the handle) and
+// the point where its axis met the cortex (ball), each in a colour of its own; and a heat map on the brain.
 // World must be Mri (ViewFrame::head_fixed).
 
 #include <memory>
@@ -22,14 +22,14 @@ struct PulseMark {
 
 class PulseLayer {
  public:
-  /// `scene` must outlive it.
+  /// Adds the layer to `scene`, which must outlive it.
   explicit PulseLayer(NavigationScene& scene);
   ~PulseLayer();
   PulseLayer(const PulseLayer&) = delete;
   PulseLayer& operator=(const PulseLayer&) = delete;
 
   void set(const std::vector<PulseMark>& marks);
-  /// `values`: one per vertex of `surface`; NaN: nothing is drawn there.
+  /// Sets the heat map. `values`: one per vertex of `surface`; NaN: nothing is drawn there.
   void setHeat(const surface::TriangleMesh& surface, const std::vector<float>& values,
                const ColourRange& range);
   void clearHeat();

@@ -1,5 +1,5 @@
 #pragma once
-// SiteLayer: named places on the scalp in the 3-D scene, such as the EEG sites of the 10-20 system. World
+// SiteLayer: named points of the scalp in the 3-D scene, such as the EEG sites of the 10-20 system. World
 // must be Mri (ViewFrame::head_fixed).
 
 #include <memory>
@@ -17,13 +17,13 @@ struct ScalpSite {
 
 class SiteLayer {
  public:
-  /// `scene` must outlive it.
+  /// Adds the layer to `scene`, which must outlive it.
   explicit SiteLayer(NavigationScene& scene);
   ~SiteLayer();
   SiteLayer(const SiteLayer&) = delete;
   SiteLayer& operator=(const SiteLayer&) = delete;
 
-  /// Empty: none. `text_scale`: of the names, as a factor of their usual size.
+  /// Sets the sites; empty: none. `text_scale`: size of the names, as a factor of the usual one.
   void set(const std::vector<ScalpSite>& sites, double text_scale);
 
  private:

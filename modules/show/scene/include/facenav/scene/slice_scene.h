@@ -33,7 +33,7 @@ struct SliceScene {
   double point_reach_mm = 1.0;        // largest distance from the plane
   double black = 0.0, white = 255.0;  // window: the values shown black and white
   bool has_letters = true;
-  double text_scale = 1.0;  // of the letters, as a factor of their usual size
+  double text_scale = 1.0;  // size of the letters, as a factor of the usual one
 
   /// The MRI's value under the crosshair; nullopt outside the MRI or without a crosshair.
   std::optional<float> valueAtCrosshair() const;
@@ -44,16 +44,16 @@ struct SliceScene {
 /// Sets a window that suits tissue: 0.5th to 99.5th percentile of the volume.
 void setUsualWindow(SliceScene& scene);
 
-/// Distance of a plane from the world's origin along its normal, and the side: S 12.3 mm.
+/// Distance of a plane from the world's origin along its normal, and its side: S 12.3 mm.
 struct SlicePosition {
   char side = 'S';
   double distance_mm = 0.0;
 };
 SlicePosition positionOf(const volume::SlicePlane& plane);
 
-/// The letter (R L A P S I) of the patient's side that `direction` points to.
+/// Letter (R L A P S I) of the patient's side that `direction` points to.
 char sideLetter(const Direction<Mri>& direction);
-/// The same with a second letter where the direction is oblique by more than 22.5 degrees: "LA".
+/// Letter of the side, with a second one where the direction is oblique by more than 22.5 degrees: "LA".
 std::string sideLetters(const Direction<Mri>& direction);
 
 }  // namespace facenav::scene

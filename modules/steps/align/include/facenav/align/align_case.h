@@ -1,7 +1,7 @@
 #pragma once
-// ALIGN: the third step of the data flow, used by the verb, the window and the demo. What a recording holds
-// (a capture pair with dots, its plain pair, a film) and the case's scalp -> alignment.json and the files
-// that go with it, in the case. Of several ways, the one with the smallest predicted error is used.
+// ALIGN: the third step of the data flow, used by the verb, the window and the demo. In: the pictures of a
+// recording (a capture pair with dots, its plain pair, a film) and the case's scalp. Out: alignment.json and
+// its files, in the case. Of several ways, the one with the smallest predicted error is used.
 
 #include <string>
 #include <vector>
@@ -15,27 +15,27 @@ namespace facenav::steps {
 
 struct AlignOrder {
   std::string aligner;            // registered names
-  std::string head_tracker = {};  // follows the head in a film; empty: the default
+  std::string head_tracker = {};  // tracks the head in a film; empty: the default
   std::string matcher = stereo::kDefaultMatcher;
   std::optional<measured_face::AlignedFrom> from = {};  // only this way; nothing: the best
-  /// The plain pair and the film are tried beside dots that stand, and what they would give is told.
+  /// Also tries the plain pair and the film after an accepted alignment with dots, and reports their results.
   bool tries_all = false;
-  /// Without dots the face alone hardly shows that a camera turned sideways. Where no marker shows it either
-  /// and the bound is wide, the alignment stands with a caution. Never for guidance.
+  /// Accepts, with a caution, an alignment without dots whose bound is wide because neither face nor marker
+  /// shows a sideways turn of a camera. Never for guidance.
   bool may_be_unsure = false;
-  /// Whose marker the pictures may show; empty: the recording's, else the case's (coil.json), else the
+  /// Coil whose marker may be in the pictures; empty: the recording's, else the case's (coil.json), else the
   /// default one.
   std::optional<coil_tracking::CoilModel> coil = {};
-  /// A recording without a capture pair gets the one that the case was aligned with before.
+  /// A recording without a capture pair uses the pair of the case's last alignment.
   bool stored_pair_stands_in = false;
 };
 
-/// What goes with an alignment without dots that knows nothing of a turned camera.
+/// Caution for an alignment without dots in which nothing measured a camera's turn.
 inline constexpr const char* kWithoutDotsCaution =
     "aligned without dots and without the coil's marker: a camera that turned about its vertical axis is not "
     "noticed; check before each use that the coil's tip, held to nose and ears, shows there";
 
-/// One way to align, as tried: an alignment, or why not.
+/// One way to align, as tried: an alignment, or the reason for its refusal.
 struct AlignmentTry {
   measured_face::AlignedFrom from;
   std::optional<double> predicted_mm, bound_mm;  // the largest at a target; nothing: refused
@@ -44,21 +44,21 @@ struct AlignmentTry {
 };
 
 struct CaseAlignment {
-  AlignmentOutcome outcome;         // of the way used
+  AlignmentOutcome outcome;         // result of the way used
   std::vector<AlignmentTry> tries;  // dots, plain, film: those that the recording has pictures for
 };
 
-/// Aligns from what the recording holds: the pair with dots, else the plain pair or the film, whichever
-/// predicts less error. Without dots it stands where the coil's marker, at rest in the same pictures, tells
-/// how the cameras stand, where its bound with all that is unknown is small, or where it may be unsure. Where
-/// the best pictures show another head or moved cameras, no other pictures are tried. Writes alignment.json,
-/// the map of the skin's fit and the pictures into the case. Throws Error ("not aligned: ..") where no way
-/// stands, or where `order.from` names pictures that are not there; the previous alignment is then unchanged.
+/// Aligns from the pair with dots, else from the plain pair or the film, whichever predicts less error. An
+/// alignment without dots is accepted if the coil's marker, at rest in the same pictures, measures the
+/// cameras' pose, if its bound with all unknowns is small, or if the order allows an unsure one. If the best
+/// pictures show another head or moved cameras, no other pictures are tried. Writes alignment.json, the map
+/// of the skin's fit and the pictures into the case. Throws Error ("not aligned: ..") if no way is accepted,
+/// or if `order.from` names absent pictures; the previous alignment is then unchanged.
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& recording, const AlignOrder& order,
                              TaskMonitor& monitor);
 
-/// The same from a capture pair alone; it may be unsure.
+/// Aligns from a capture pair alone; the result may be unsure.
 AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
                            const cameras::StereoRig& rig, const capture::CapturePair& capture,
                            const std::string& aligner, TaskMonitor& monitor);
@@ -69,7 +69,8 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome);
 
-/// "used the pair with dots: 0.31 mm predicted; the plain pair would give 0.52 mm; the film was refused: ..".
+/// Returns "used the pair with dots: 0.31 mm predicted; the plain pair would give 0.52 mm; the film was
+/// refused: ..".
 std::string inWords(const CaseAlignment& alignment);
 
 }  // namespace facenav::steps

@@ -1,7 +1,7 @@
 #pragma once
-// AutomaticCapture: the picture for an alignment without a projector. Both cameras see the face and, at rest
-// beside it, the coil's marker: its known size tells whether a camera turned since the calibration, which a
-// bare face does not show. Takes the picture by itself as soon as all is in view: the mean of some frames in
+// AutomaticCapture: takes the picture for an alignment without a projector. Both cameras see the face and, at
+// rest beside it, the coil's marker. The marker's known size measures a camera's turn since the calibration,
+// which a bare face does not show. The picture is taken as soon as all is in view: the mean of some frames in
 // which the face does not move. Data flow: stereo frames -> one still pair, in which the alignment measures
 // both.
 
@@ -16,7 +16,7 @@
 
 namespace facenav::steps {
 
-/// What is looked for in the frames.
+/// Methods that search the frames.
 struct AutomaticCaptureMethods {
   std::shared_ptr<const face::FaceDetector> face_detector;
   std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;
@@ -30,14 +30,15 @@ class AutomaticCapture {
   AutomaticCapture(const AutomaticCapture&) = delete;
   AutomaticCapture& operator=(const AutomaticCapture&) = delete;
 
-  /// In the order of their times. True once the picture is taken; later frames change nothing. Takes
-  /// milliseconds, and some tenths of a second for a frame in which the face is looked for.
+  /// Adds a frame; call it in the order of their times. Returns true once the picture is taken; later frames
+  /// change nothing. Takes milliseconds, and some tenths of a second for a frame in which the face is
+  /// searched.
   bool add(const cameras::StereoFrame& frame);
-  /// What is missing, one sentence: what to do. A face that is not found while the marker rests for some
-  /// seconds is taken all the same: a mask may hide it. Where the cameras do not expose at the same time, the
-  /// face must be at rest, too.
+  /// Says what is missing and what to do, in one sentence. If the face is not found while the marker rests
+  /// for some seconds, the picture is taken nevertheless, because a mask may hide the face. If the cameras do
+  /// not expose at the same time, the face must be at rest, too.
   std::string words() const;
-  /// After add() said true.
+  /// The picture; only after add() returned true.
   const cameras::StereoFrame& still() const;
 
  private:
@@ -45,8 +46,8 @@ class AutomaticCapture {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// From a source that runs already, within `limit_s` of its frames. `monitor` shows words(). Throws Error
-/// with what was missing; Cancelled.
+/// Takes the picture from a running source, within `limit_s` of its frames. `monitor` shows words(). Throws
+/// Error with what was missing; Cancelled.
 void takeStillCapture(capture::FrameSource& source, AutomaticCapture& still, double limit_s,
                       TaskMonitor& monitor);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a recording's film shows in its first seconds: the face while the head turns to both sides, and the
-// coil's marker at rest.
+// The first seconds of a recording's film: the face while the head turns to both sides, and the coil's marker
+// at rest.
 
 #include <utility>
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace facenav::steps {
 
-/// Frame numbers, first and last (both included).
+/// Frame numbers of the beginning, first and last (both included).
 std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording);
 
-/// The coil's marker while it rests there; nothing without a film.
+/// Measures the coil's marker while it rests there; nothing without a film.
 std::optional<health::ScaleObservation> restingMarkerIn(const capture::Recording& recording,
                                                         const coil_tracking::CoilModel& coil,
                                                         coil_tracking::CoilTracker& tracker);
 
-/// The coil that the first of these folders with a coil.json names; else the one of the default marker.
+/// Returns the coil of the first folder with a coil.json; else the one of the default marker.
 coil_tracking::CoilModel coilNamedIn(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace facenav::steps

@@ -1,6 +1,6 @@
 #pragma once
-// The capture pair of an alignment, kept in the case (alignment_capture/). A later recording without a
-// capture of its own is then tracked against the face as it was at the alignment.
+// The capture pair of an alignment, stored in the case (alignment_capture/). A later recording without a
+// capture of its own is tracked against the face as it was at the alignment.
 
 #include <filesystem>
 #include <optional>
@@ -14,8 +14,8 @@ namespace facenav::steps {
 /// first byte.
 void writeStoredCapture(const casefile::FileGroup& group, const cameras::StereoRig& rig,
                         const capture::CapturePair& pair);
-/// Nothing if there is none. Throws Error if it was taken with another rig than `rig`: the alignment is then
-/// not valid for these cameras.
+/// Reads the pair; nothing if there is none. Throws Error if it was taken with another rig than `rig`: the
+/// alignment is then not valid for these cameras.
 std::optional<capture::CapturePair> readStoredCapture(const std::filesystem::path& case_folder,
                                                       const cameras::StereoRig& rig);
 

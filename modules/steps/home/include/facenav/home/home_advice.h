@@ -1,7 +1,7 @@
 #pragma once
-// What a person at home, or a nurse, does next: one step, one sentence, one sign, from the newest state. The
-// words are for people who never saw a navigator. When anything is not known, the sign is none: no arrow is
-// ever shown from an old or doubtful pose.
+// The next step for a person at home, or a nurse: one sentence and one sign, from the newest state. The words
+// are for people who never saw a navigator. If anything is unknown, the sign is none: no arrow is shown from
+// an old or doubtful pose.
 
 #include <future>
 #include <string>
@@ -12,9 +12,10 @@
 
 namespace facenav::steps {
 
-/// 1 sit and look, 2 hold the coil, 3 follow the arrow.
+/// Step: 1 sit and look, 2 hold the coil, 3 follow the arrow.
 enum class HomeStep { sit, hold, follow };
-/// raise_..: that side of the coil, for a person behind the handle who looks along the coil at the head.
+/// Sign to show. raise_..: that side of the coil, for a person behind the handle who looks along the coil at
+/// the head.
 enum class HomeSign {
   none,
   arrow,
@@ -32,25 +33,25 @@ enum class HomeSign {
 struct HomeAdvice {
   HomeStep step = HomeStep::sit;
   HomeSign sign = HomeSign::none;
-  /// Of the arrow, seen from behind the handle: 0 ahead (up on the screen), clockwise.
+  /// Direction of the arrow, seen from behind the handle: 0 ahead (up on the screen), clockwise.
   double arrow_rad = 0;
   std::string words;        // one sentence
-  bool is_refused = false;  // something that cannot be verified, or is wrong: nothing may be done
+  bool is_refused = false;  // something is wrong or cannot be verified: stop
 };
 
-/// `sees_other_coil`: as OtherCoilWatch says.
+/// Chooses the advice. `sees_other_coil`: from OtherCoilWatch.
 HomeAdvice homeAdvice(const session::NavigationState& state, bool sees_other_coil);
 
-/// Why an alignment at home was refused, as one sentence to act on: another person, moved cameras, too little
-/// of the face, dots that are off. Other faults: the error's own words.
+/// Reason why an alignment at home was refused, as one sentence to act on: another person, moved cameras, too
+/// little of the face, dots that are off. Other faults: the error's own words.
 std::string homeRefusal(const Error& error);
 
-/// Looks now and then, on a thread of its own, whether the pictures show a print of the coil's dictionary
-/// that is not on the coil, in both cameras, while the coil itself is not seen.
+/// Searches the pictures now and then, on its own thread, for a print of the coil's dictionary that is not on
+/// the coil, in both cameras, while the coil itself is not seen.
 class OtherCoilWatch {
  public:
   explicit OtherCoilWatch(const coil_tracking::CoilModel& coil);
-  /// Once a frame or less often; returns at once with what the last look said.
+  /// Returns the last search's result at once. Call it once a frame or less often.
   bool sees(const session::NavigationState& state);
 
  private:

@@ -21,11 +21,11 @@ struct Registrations {
   Registry<coil_tracking::CoilTracker> coil_trackers{"coil tracker"};
   Registry<casefile::Exporter> exporters{"export format"};
   capture::CameraBackends cameras{"kind of camera"};
-  /// The program's one face detector (its landmark model takes 100 MB), made at first use.
+  /// Returns the program's one face detector (its landmark model takes 100 MB), made at first use.
   std::function<std::shared_ptr<const face::FaceDetector>()> face_detector;
 };
 
-/// Names as a list for help texts: "model, features7".
+/// Lists names for help texts: "model, features7".
 template <class Interface>
 std::string namesOf(const Registry<Interface>& registry) {
   std::string names;

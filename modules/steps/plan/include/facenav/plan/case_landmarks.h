@@ -1,5 +1,5 @@
 #pragma once
-// The landmarks of a case's scalp: found on the skin, else through the atlas, or set by hand; kept in the
+// The landmarks of a case's scalp: found on the skin, else through the atlas, or set by hand; stored in the
 // case.
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace facenav::steps {
 
-/// Of two ways the one with the smaller error: as the skin shows it, or the template's landmark carried to
-/// this head by the atlas and put on the nearest skin. `atlas` may be null.
+/// Finds each landmark in two ways and takes the one with the smaller error: on the skin itself, or the
+/// template's landmark mapped by the atlas and moved to the nearest skin. `atlas` may be null.
 surface::ScalpLandmarks findLandmarks(const surface::ScalpSurface& scalp, const atlas::AtlasMap* atlas);
 
-/// Those of the case; found and kept at the first call. Takes a second or two then.
+/// Returns the case's landmarks. The first call finds and stores them, which takes a second or two.
 surface::ScalpLandmarks landmarksOf(const casefile::CaseStore& store, const surface::ScalpSurface& scalp);
-/// Puts a landmark at the place of the skin nearest to `p`, by hand, and keeps it. Throws Error for a place
-/// more than 20 mm from the skin.
+/// Sets a landmark by hand at the skin nearest to `p`, and stores it. Throws Error if `p` is more than 20 mm
+/// from the skin.
 surface::ScalpLandmarks setLandmark(const casefile::CaseStore& store, const surface::ScalpSurface& scalp,
                                     surface::Landmark which, const Point<Mri>& p, const std::string& by);
-/// Finds it again in place of what a hand set.
+/// Finds the landmark again and replaces the one set by hand.
 surface::ScalpLandmarks findLandmarkAgain(const casefile::CaseStore& store,
                                           const surface::ScalpSurface& scalp, surface::Landmark which);
 

@@ -1,7 +1,7 @@
 #pragma once
-// RETURN: where an expert held the coil in a session, as a target for the next ones: the median pose of the
-// pulses, with their spread. In the case's frame (Mri, mm), so that it is as right as that session's
-// alignment was.
+// RETURN: the pose at which an expert held the coil in a session, as a target for the next ones: the median
+// pose of the pulses, with their spread. It is in the case's frame (Mri, mm), so it is as accurate as that
+// session's alignment.
 
 #include <filesystem>
 #include <optional>
@@ -34,25 +34,25 @@ struct ExpertRules {
 };
 
 struct ExpertRequest {
-  std::string session;       // its name or how it begins; empty: the newest
-  std::optional<int> pulse;  // this one alone; nothing: the median over the pulses that count
+  std::string session;       // its name or the beginning of it; empty: the newest
+  std::optional<int> pulse;  // this one alone; nothing: the median over the valid pulses
   std::string from_target;   // pulses at this target; empty: the target with the most pulses on target
   std::string name;          // of the new target; empty: "expert " and the old target's name
-  std::string by;            // who says so; may be empty
+  std::string by;            // who sets it; may be empty
 };
 
-/// The median over the pulses on target that are not excluded. Where the session had no target, over all
-/// pulses with a pose. Nothing is stored. Throws Error: no such session or pulse, no pulse with a pose,
-/// pulses of several coils, or pulses spread too far to be one pose (ExpertRules).
+/// Computes the median over the pulses on target that are not excluded; without a target, over all pulses
+/// with a pose. Stores nothing. Throws Error: no such session or pulse, no pulse with a pose, pulses of
+/// several coils, or pulses spread too far to be one pose (ExpertRules).
 guidance::Target expertPose(const casefile::CaseStore& store, const ExpertRequest& request);
-/// The same, stored in the case's plan; one of the same name is replaced. Throws Error also where that one is
-/// locked.
+/// Computes the pose and stores it in the case's plan, replacing one of the same name. Throws Error also
+/// where that one is locked.
 guidance::Target storeExpertPose(const casefile::CaseStore& store, const ExpertRequest& request);
 
-/// "the expert held the coil 'a' there, this is 'b'"; nothing: it is the same, or not known.
+/// Returns "the expert held the coil 'a' there, this is 'b'"; nothing if the coil is the same, or unknown.
 std::optional<std::string> otherCoilCaution(const guidance::Target& target, const std::string& coil);
 
-/// "median of 183 pulses of session 20261123T140509Z, spread 0.8 mm 0.9 deg, coil figure-8 70 mm".
+/// Returns "median of 183 pulses of session 20261123T140509Z, spread 0.8 mm 0.9 deg, coil figure-8 70 mm".
 std::string inWords(const guidance::ExpertPose& expert);
 
 }  // namespace facenav::steps

@@ -1,6 +1,6 @@
 #pragma once
-// PLAN: overlays of a case (casefile/overlays_file.h): add a file of another program, remove it, load all of
-// them into Mri. The window and `facenav plan --overlay` use the same functions.
+// PLAN: overlays of a case (casefile/overlays_file.h): adds a file of another program, removes it, loads all
+// of them into Mri. The window and `facenav plan --overlay` use the same functions.
 
 #include <optional>
 #include <string>
@@ -14,28 +14,29 @@ namespace facenav::steps {
 
 struct NewOverlay {
   std::filesystem::path file;  // NIfTI, .trk .tck .trx, .ply .stl .obj .vtk .vtp
-  /// Where its coordinates live. Nothing: native, unless the file says that it is in a template's space; then
-  /// it is refused, because a map of a group lies in nobody's own head.
+  /// Space of its coordinates. Nothing: native; but a file marked as in a template's space is then refused,
+  /// because a group's map fits no individual head.
   std::optional<casefile::OverlaySpace> space;
-  std::string name;  // empty: "map 1", "tracts 2": a file's name may be a patient's
+  std::string name;  // empty: "map 1", "tracts 2", since a file's name may be a patient's
   double opacity = 0.7;
-  std::optional<double> threshold, full;  // of a map; absent: 95th percentile, and the largest, of its sizes
+  std::optional<double> threshold, full;  // of a map; absent: 95th percentile and maximum of |value|
 };
 
-/// Reads the file, checks it, and keeps a copy with the case. A NIfTI whose values are 0 and one other is a
+/// Reads and checks the file, and stores a copy with the case. A NIfTI whose values are 0 and one other is a
 /// mask. Throws Error, and then nothing has changed: unreadable, damaged, empty, beside the head, name taken,
 /// no atlas for MNI.
 casefile::OverlayEntry addOverlay(const casefile::CaseStore& store, const NewOverlay& wanted);
-/// Throws Error when the case has none of this name.
+/// Removes an overlay. Throws Error when the case has none of this name.
 void removeOverlay(const casefile::CaseStore& store, const std::string& name);
-/// Its opacity, threshold, end of colours, unit and whether it is shown; the rest stays. Throws as
+/// Changes opacity, threshold, end of colours, unit and visibility of an overlay; the rest stays. Throws as
 /// removeOverlay does.
 void changeOverlay(const casefile::CaseStore& store, const casefile::OverlayEntry& entry);
 
-/// One overlay in Mri; a map of MNI space is laid on a grid of 1.5 mm about the MRI. Throws Error.
+/// Loads one overlay into Mri; a map of MNI space is resampled to a grid of 1.5 mm about the MRI. Throws
+/// Error.
 scene::Overlay loadOverlay(const casefile::CaseStore& store, const casefile::OverlayEntry& entry,
                            const volume::VoxelGrid& mri);
-/// All that are shown, in order. Throws Error as loadOverlay does.
+/// Loads all visible overlays, in order. Throws Error as loadOverlay does.
 std::vector<scene::Overlay> loadOverlays(const casefile::CaseStore& store, const volume::VoxelGrid& mri);
 
 }  // namespace facenav::steps

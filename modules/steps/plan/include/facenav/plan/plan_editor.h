@@ -1,6 +1,6 @@
 #pragma once
 // PlanEditor: edits of a case's targets: add, rename, turn, move, remove, copy, mirror, grid, lock, undo,
-// redo. Every step is written into the case at once, by the function handed in. A step that cannot be written
+// redo. Every step is written into the case at once, by the given function. A step that cannot be written
 // changes nothing: neither the plan nor the undo list. The coil's plate rests on the head after each step.
 // Every changed target records when, by whom and what.
 
@@ -13,16 +13,16 @@
 
 namespace facenav::steps {
 
-/// The case as the editor sees it. `plan` and `head` are read at each step, so that changes by others are
-/// seen. `write` throws if the case cannot be written, and then keeps the old plan.
+/// Access to the case. `plan` and `head` are read at each step, so that changes by others are included.
+/// `write` throws if the case cannot be written, and then keeps the old plan.
 struct PlannedCase {
   std::function<const guidance::TreatmentPlan&()> plan;
   std::function<PlannedHead()> head;
   std::function<void(const guidance::TreatmentPlan&)> write;
   std::function<std::string(int)> numbered;  // "Target 3"
-  std::function<std::string()> by = {};      // who edits; absent: not known
+  std::function<std::string()> by = {};      // who edits; absent: unknown
 };
-/// The plan of a case on disk, for the command line.
+/// Access to a case on disk, for the command line.
 PlannedCase plannedCase(const casefile::CaseStore& store, const std::string& by);
 
 class PlanEditor {
@@ -32,43 +32,44 @@ class PlanEditor {
   /// Starts with another case: the undo list is empty, its first target is the active one.
   void begin();
 
-  // Add a target, which becomes the active one, with the handle at 45 degrees. They throw Error, and
-  // PlanRefused: outside the head, no brain model.
+  // The next functions add a target, which becomes the active one, with the handle at 45 degrees. They throw
+  // Error, and PlanRefused: outside the head, no brain model.
   void addTarget(const Point<Mri>& cortex_point);
-  /// At the brain surface nearest to a point of the scalp.
+  /// Adds a target at the brain surface nearest to a point of the scalp.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
-  /// At the point itself if it lies in the brain, else at the nearest point of the cortex.
+  /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
   void addTargetNear(const Point<Mri>& point);
-  /// At a place of the cortex or the scalp (placeOf of a preset), with this name: one of the same name is
-  /// replaced, unless it is locked.
+  /// Adds a target at a point of the cortex or the scalp (placeOf of a preset), with this name. Replaces one
+  /// of the same name, unless it is locked.
   void addTarget(const PresetPlace& place, const std::string& name, const CoilWish& wish = {});
 
-  // Edit the active target; they do nothing if there is none. All but setLocked, duplicate, mirror and move
-  // throw PlanRefused if it is locked. Edited by hand, a target of a grid leaves the grid's hands; a moved
-  // seed takes its grid along.
+  // The next functions edit the active target; they do nothing if there is none. All but setLocked,
+  // duplicate, mirror and move throw PlanRefused if it is locked. A target of a grid that is edited by hand
+  // no longer follows the grid; a moved seed moves its grid.
   void remove();
-  /// Throws PlanRefused if another target has the name.
+  /// Renames the target. Throws PlanRefused if another target has the name.
   void rename(const std::string& name);
-  /// Another pose, or gap; the plate comes to rest on the head there.
+  /// Sets another pose, or gap; the plate then rests on the head there.
   void replace(const guidance::Target& target, const std::string& what = "changed");
-  /// A copy with a free name ("M1 copy"), which becomes the active one.
+  /// Copies the target under a free name ("M1 copy"); the copy becomes the active one.
   void duplicate();
-  /// The target of the other side of the head with a free name, which becomes the active one.
+  /// Adds the target of the other side of the head under a free name; it becomes the active one.
   void mirror(const std::function<Point<Mri>(const Point<Mri>&)>& mirrored);
   void setNote(const std::string& note);
   void setLocked(bool is_locked);
   void setDose(const std::optional<guidance::Dose>& dose);
-  /// Makes or replaces its grid; nothing removes it. Targets of the grid that were edited by hand stay.
+  /// Makes or replaces the target's grid; nothing removes it. Targets of the grid that were edited by hand
+  /// stay.
   void setGrid(const std::optional<guidance::GridSpec>& grid);
-  /// Up (-1) or down (1) in the list.
+  /// Moves the target up (-1) or down (1) in the list.
   void move(int places);
-  /// > 0 clockwise when seen along the coil's z.
+  /// Turns the target; > 0 clockwise when seen along the coil's z.
   void turn(double angle_rad);
-  /// Moves along the scalp, in the coil's x and y (mm). Handle angle and gap stay. Throws Error if there is
-  /// no scalp at the new place.
+  /// Moves the target along the scalp, in the coil's x and y (mm). Handle angle and gap stay. Throws Error if
+  /// there is no scalp at the new position.
   void nudge(double x_mm, double y_mm);
 
-  /// The target changed by the undone step becomes the active one. Returns false if there is no step.
+  /// Undoes a step; the changed target becomes the active one. Returns false if there is no step.
   bool undo();
   bool redo();
   bool canUndo() const { return !undo_.empty(); }
@@ -76,7 +77,7 @@ class PlanEditor {
 
   void setActive(const std::string& name) { active_ = name; }
   const std::string& activeName() const { return active_; }
-  /// Null if there is none.
+  /// The active target; null if there is none.
   const guidance::Target* active() const { return find(case_.plan(), active_); }
 
  private:
@@ -88,7 +89,7 @@ class PlanEditor {
   void apply(const guidance::TreatmentPlan& next, const std::string& active);
   /// Throws PlanRefused if the active target is locked.
   void requireUnlocked() const;
-  /// The target in place of the active one, with a record of the change.
+  /// Replaces the active target, with a record of the change.
   void put(guidance::Target target, const std::string& what);
   guidance::Target stamped(guidance::Target target, const std::string& what) const;
   guidance::TreatmentPlan withGrid(guidance::TreatmentPlan plan, const guidance::Target& seed) const;

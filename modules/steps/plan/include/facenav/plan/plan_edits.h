@@ -1,6 +1,6 @@
 #pragma once
-// PLAN: the cortex point for a place that was clicked or typed, and edits of a treatment plan as plain
-// functions. The window (PlanEditor) and `facenav target` use the same ones. Places are in Mri, mm.
+// PLAN: finds the cortex point for a clicked or typed point, and edits a treatment plan by plain functions.
+// The window (PlanEditor) and `facenav target` use the same ones. Points are in Mri, mm.
 
 #include <cmath>
 #include <functional>
@@ -13,14 +13,14 @@
 
 namespace facenav::steps {
 
-/// The surfaces that targets are placed on. `brain` is null if the case holds the scalp alone.
+/// The surfaces that targets are placed on. `brain` is null if the case has the scalp alone.
 struct PlannedHead {
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const volume::Mask> head_mask;
   std::shared_ptr<const surface::BrainModel> brain;
-  guidance::CoilPlate plate = guidance::figureOfEight();  // that rests on the scalp: casefile::coilOf
+  guidance::CoilPlate plate = guidance::figureOfEight();  // plate that rests on the scalp: casefile::coilOf
 };
-/// Throws Error as the store's readers do.
+/// Reads the surfaces. Throws Error as the store's readers do.
 PlannedHead plannedHead(const casefile::CaseStore& store);
 
 enum class PlanRefusal { outside_head, name_taken, no_brain, locked };
@@ -40,42 +40,44 @@ class PlanRefused : public Error {
 
 /// Throws PlanRefused if `p` lies more than `limit_mm` outside the head.
 void requireInHead(const PlannedHead& head, const Point<Mri>& p, double limit_mm);
-/// `p` itself if it lies inside the brain model or there is no model; else the nearest point of the model.
-/// Throws PlanRefused if `p` lies more than surface::kFarthestOutside_mm outside the head.
+/// Returns `p` itself if it lies inside the brain model or there is no model; else the nearest point of the
+/// model. Throws PlanRefused if `p` lies more than surface::kFarthestOutside_mm outside the head.
 Point<Mri> cortexNear(const PlannedHead& head, const Point<Mri>& p);
-/// The vertex of the brain model nearest to a point of the scalp. Throws PlanRefused if there is no model.
+/// Returns the vertex of the brain model nearest to a point of the scalp. Throws PlanRefused if there is no
+/// model.
 Point<Mri> cortexUnder(const PlannedHead& head, const Point<Mri>& scalp_point);
 
-/// How the coil is wanted at a new place.
+/// Wanted pose of the coil at a new target.
 struct CoilWish {
-  double handle_rad = M_PI / 4;  // as guidance::planTarget
+  double handle_rad = M_PI / 4;  // as in guidance::planTarget
   double gap_mm = 0;
 };
-/// A target whose axis passes through a point of the cortex, its plate resting on the head.
+/// Makes a target whose axis passes through a point of the cortex, its plate resting on the head.
 guidance::Target targetOverCortex(const PlannedHead& head, const std::string& name,
                                   const Point<Mri>& cortex_point, const CoilWish& wish = {});
-/// A target whose centre lies over a place of the scalp, upright on the skin there. Its cortex point is where
-/// the axis meets the brain, else the place on the axis that is nearest to it. Throws PlanRefused if there is
+/// Makes a target whose centre lies over a point of the scalp, upright on the skin there. Its cortex point is
+/// where the axis meets the brain, else the point of the axis nearest to it. Throws PlanRefused if there is
 /// no brain model.
 guidance::Target targetOnScalp(const PlannedHead& head, const std::string& name,
                                const Point<Mri>& scalp_point, const CoilWish& wish = {});
-/// A target for each place of the seed's grid but its own; named after it: "M1 r2 c3". Takes a few seconds
-/// for large grids.
+/// Makes a target for each point of the seed's grid except its own; named after it: "M1 r2 c3". Takes a few
+/// seconds for large grids.
 std::vector<guidance::Target> gridTargets(const PlannedHead& head, const guidance::Target& seed,
                                           const guidance::GridSpec& grid);
-/// The target on the other side of the head, with the same handle angle and gap. `mirrored` gives a point of
-/// the cortex on the other side (atlas, x to -x).
+/// Returns the target on the other side of the head, with the same handle angle and gap. `mirrored` returns a
+/// point of the cortex on the other side (atlas, x to -x).
 guidance::Target mirroredTarget(const PlannedHead& head, const guidance::Target& target,
                                 const std::function<Point<Mri>(const Point<Mri>&)>& mirrored);
 
-/// The target turned about its own z, > 0 clockwise when seen along it.
+/// Returns the target turned about its own z, > 0 clockwise when seen along it.
 guidance::Target turned(const guidance::Target& target, double angle_rad);
-/// The plan with `target` in place of the one called `name`, or appended if there is none.
+/// Returns the plan with `target` in place of the one called `name`, or appended if there is none.
 guidance::TreatmentPlan with(guidance::TreatmentPlan plan, const std::string& name,
                              const guidance::Target& target);
 guidance::TreatmentPlan without(guidance::TreatmentPlan plan, const std::string& name);
 const guidance::Target* find(const guidance::TreatmentPlan& plan, const std::string& name);
-/// The first of "Target 1", "Target 2", .. that no target has; `numbered` makes the name from the number.
+/// Returns the first of "Target 1", "Target 2", .. that no target has; `numbered` makes the name from the
+/// number.
 std::string freeName(const guidance::TreatmentPlan& plan, const std::function<std::string(int)>& numbered);
 
 }  // namespace facenav::steps

@@ -1,6 +1,6 @@
 #pragma once
-// Places that targets are commonly planned at, by name: of the cortex in MNI coordinates, and of the scalp by
-// the 10-20 system and Beam's method. `facenav plan --list-presets` and the window show the same list.
+// Common target locations by name: of the cortex in MNI coordinates, and of the scalp by the 10-20 system and
+// Beam's method. `facenav plan --list-presets` and the window show the same list.
 
 #include <memory>
 #include <optional>
@@ -16,11 +16,11 @@ namespace facenav::steps {
 struct Preset {
   std::string name;               // "m1-hand-left", "eeg:C3"
   std::string words, source;      // "hand area of the left M1, MNI -37 -21 58"
-  std::optional<Point<Mni>> mni;  // absent: a place of the scalp
+  std::optional<Point<Mni>> mni;  // absent: a location on the scalp
 };
-/// All of them, EEG sites last.
+/// All presets, EEG sites last.
 const std::vector<Preset>& presets();
-/// Throws Error that lists the names. "eeg:" names are as guidance::EegSites::find.
+/// Finds a preset. Throws Error that lists the names. "eeg:" names are as in guidance::EegSites::find.
 const Preset& presetNamed(const std::string& name);
 
 /// Measures of one head, made at the first call that needs them.
@@ -31,7 +31,7 @@ class HeadMeasures {
 
   const surface::ScalpLandmarks& landmarks() const { return landmarks_; }
   const surface::ScalpPaths& paths() const;
-  /// With errors. Throws Error as placeEegSites does.
+  /// EEG sites with their errors. Throws Error as placeEegSites does.
   const guidance::EegSites& eegSites() const;
   const guidance::BeamF3& beamF3() const;
 
@@ -43,12 +43,12 @@ class HeadMeasures {
   mutable std::optional<guidance::BeamF3> beam_;
 };
 
-/// Where a preset lies on this head.
+/// Location of a preset on this head.
 struct PresetPlace {
   std::optional<Point<Mri>> cortex, scalp;  // one of them
-  std::string words;                        // what to know: "F3 +- 5 mm from the landmarks' errors"
+  std::string words;                        // note for the user: "F3 +- 5 mm from the landmarks' errors"
 };
-/// Throws Error: the case has no atlas, a landmark is not known.
+/// Locates a preset. Throws Error: the case has no atlas, an unknown landmark.
 PresetPlace placeOf(const Preset& preset, const atlas::AtlasMap* atlas, const HeadMeasures& measures);
 
 }  // namespace facenav::steps

@@ -1,6 +1,6 @@
 #pragma once
-// Turns the uncertainty at places of the brain mask's surface into words about its regions: where the
-// radiographer should look.
+// Turns the uncertainty at points of the brain mask's surface into words about its regions, for the
+// radiographer.
 
 #include "facenav/atlas/atlas_map.h"
 #include "facenav/atlas/brain_template.h"
@@ -9,14 +9,14 @@
 
 namespace facenav::steps {
 
-/// Per lobe of the atlas, the least certain first. Without map or template: the whole brain as one region.
-/// Regions with fewer than 30 places are left out.
+/// Confidence of each lobe of the atlas, the least certain first. Without map or template: the whole brain as
+/// one region. Regions with fewer than 30 points are left out.
 std::vector<casefile::RegionConfidence> regionConfidence(
     const std::vector<segmentation::BoundaryDoubt>& doubts, const atlas::AtlasMap* map,
     const atlas::BrainTemplate* atlas);
 
-/// Findings in words for uncertain regions: "look at the left temporal pole: the mask's edge is uncertain by
-/// 4 mm there (confidence 0.62)". At most three, the worst.
+/// Findings for at most three uncertain regions, the worst first: "look at the left temporal pole: the mask's
+/// edge is uncertain by 4 mm there (confidence 0.62)".
 std::vector<std::string> whereToLook(const std::vector<casefile::RegionConfidence>& regions);
 
 }  // namespace facenav::steps

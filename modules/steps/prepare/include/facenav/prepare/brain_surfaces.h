@@ -1,7 +1,7 @@
 #pragma once
-// From a scan and the brain mask in force (automatic or edited) to both surfaces of the brain: the paper's
-// phi-theta model, and the detailed cortex with its distance to that model. Used by prepare and after an
-// edit.
+// Builds both surfaces of the brain from a scan and the brain mask in force (automatic or edited): the
+// paper's phi-theta model, and the detailed cortex with its distance to that model. Used by prepare and after
+// an edit.
 
 #include "facenav/surface/detailed_cortex.h"
 
@@ -15,7 +15,7 @@ struct BrainSurfaces {
       true;  // false: no contrast of grey and white matter in the scan; the cortex is the mask's surface
 };
 
-/// Throws Error if the mask is empty.
+/// Builds the surfaces. Throws Error if the mask is empty.
 BrainSurfaces buildBrainSurfaces(const volume::Volume& mri, const volume::Mask& brain, TaskMonitor& monitor);
 
 }  // namespace facenav::steps

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures kept in a case. They show the patient's face and brain, so only this user may read them (0600).
+// Pictures stored in a case. They show the patient's face and brain, so only this user may read them (0600).
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace facenav::steps {
 
 void writePrivatePng(const RgbImage& image, const std::filesystem::path& path);
 
-/// How far the phi-theta surface lies from the cortex.
+/// Draws the distance of the phi-theta surface from the cortex.
 RgbImage surfaceDistancePicture(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures);
 /// Writes it as surface_distance.png into the case.
 void writeSurfaceDistance(const surface::DetailedCortex& cortex, const surface::ModelDistance& figures,

@@ -1,7 +1,7 @@
 #pragma once
-// Correction of the brain mask: open it, edit it (module editing), put it into force with both surfaces of
-// the brain made again. The window edits stroke by stroke, the command line by a list of edits; both begin
-// and save here. Places are in Mri, mm. A saved correction makes an earlier sign-off void.
+// Correction of the brain mask: opens it, edits it (module editing), makes it the mask in force and builds
+// both surfaces of the brain again. The window edits stroke by stroke, the command line by a list of edits;
+// both begin and save here. Points are in Mri, mm. A saved correction makes an earlier sign-off void.
 
 #include <filesystem>
 #include <memory>
@@ -27,19 +27,19 @@ struct BrainCorrection {
 BrainCorrection beginCorrection(const casefile::CaseStore& store, const volume::VoxelGrid& grid,
                                 const volume::Mask* in_force);
 
-/// Puts `mask` into force: writes the mask, both surfaces and the picture of their distance. The draft stays:
-/// it may be newer than `mask`, and whoever edits removes it (casefile::removeBrainDraft). Throws Error: the
-/// case has no brain mask, another grid, an empty mask, disk full.
+/// Makes `mask` the mask in force: writes the mask, both surfaces and the picture of their distance. The
+/// draft stays, because it may be newer than `mask`; the editor removes it (casefile::removeBrainDraft).
+/// Throws Error: the case has no brain mask, another grid, an empty mask, disk full.
 BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Volume& mri,
                              const volume::Mask& mask, TaskMonitor& monitor);
 
-/// The edits of a correction. They are applied in the order of the members.
+/// Edits of a correction, applied in the order of the members.
 struct BrainEdits {
   bool discards_draft = false;                      // do not continue an unfinished correction
   bool starts_automatic = false;                    // start from the mask that prepare made
   std::optional<std::filesystem::path> drawn = {};  // a mask (NIfTI) on the scan's grid to start from
   std::vector<editing::Ball> added = {}, removed = {};
-  std::vector<Point<Mri>> grown = {};  // adds the connected region of similar values around each place
+  std::vector<Point<Mri>> grown = {};  // adds the connected region of similar values around each point
   bool fills_holes = false, smooths = false;
 };
 struct CorrectedBrain {
@@ -49,7 +49,7 @@ struct CorrectedBrain {
   bool isChanged() const { return added_voxels + removed_voxels > 0; }
 };
 /// Applies the edits and saves. If the mask does not change, nothing is written, but a discarded or finished
-/// draft is removed. Throws Error: no brain mask, a place outside the scan, a mask on another grid.
+/// draft is removed. Throws Error: no brain mask, a point outside the scan, a mask on another grid.
 CorrectedBrain correctBrain(const casefile::CaseStore& store, const BrainEdits& edits, TaskMonitor& monitor);
 
 }  // namespace facenav::steps

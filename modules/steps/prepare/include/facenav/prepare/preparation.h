@@ -17,10 +17,9 @@ namespace facenav::steps {
 /// meanwhile.
 using AtlasSource = std::function<const atlas::BrainTemplate*()>;
 
-/// With an atlas, the brain is registered to it; if the fit is poor, this is a finding and no map is kept.
-/// Throws Error when no head is found, Cancelled when `monitor` was cancelled. Both threads call the
-/// monitor's listener, one call at a time.
-/// `mri` becomes the case's: move it in.
+/// Prepares a case. With an atlas, the brain is registered to it; a poor fit is a finding, and its map is
+/// dropped. Throws Error when no head is found, Cancelled when `monitor` was cancelled. Both threads call the
+/// monitor's listener, one call at a time. `mri` becomes the case's: move it in.
 casefile::PreparedCase prepare(volume::Volume mri, const segmentation::Segmenter& head,
                                const segmentation::Segmenter& brain, TaskMonitor& monitor,
                                const AtlasSource& atlas = {});

@@ -29,7 +29,7 @@ struct PrepareOutcome {
   std::optional<double> brain_ml;
   std::optional<surface::NavigationCheck> navigation_check;
 };
-/// INPUT -> case folder, written whole or not at all. Throws Error.
+/// Prepares INPUT and writes the case folder, whole or not at all. Throws Error.
 PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& request, TaskMonitor& monitor);
 
 }  // namespace facenav::steps

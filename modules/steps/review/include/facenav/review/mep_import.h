@@ -1,8 +1,8 @@
 #pragma once
-// MEPs measured by another device, given to a session's pulses by time. The file is CSV with the columns utc
-// (ISO 8601) or t_s (seconds on any clock), mep_uv, and by choice latency_ms. The two clocks may differ by an
-// offset: it is given, or found as the one under which most rows meet a pulse. Where two offsets fit nearly
-// alike (pulses at even intervals), nothing is guessed.
+// Assigns MEPs measured by another device to a session's pulses by time. The file is CSV with the columns utc
+// (ISO 8601) or t_s (seconds on any clock), mep_uv, and optionally latency_ms. The two clocks may differ by
+// an offset: it is given, or found as the one under which most rows meet a pulse. Where two offsets fit
+// nearly alike (pulses at even intervals), the import is refused.
 
 #include <filesystem>
 #include <optional>
@@ -46,8 +46,8 @@ struct MepFile {
   std::vector<MepRow> rows;
   bool is_utc = false;
 };
-/// Rows without an MEP are left out. Throws Error naming file and line: no such column, no number, a time
-/// that is none.
+/// Reads the file; rows without an MEP are left out. Throws Error naming file and line: no such column, no
+/// number, an invalid time.
 MepFile readMepFile(const std::filesystem::path& csv);
 
 struct MepMatch {
@@ -56,14 +56,14 @@ struct MepMatch {
   int fits = 0, next_best_fits = 0;      // rows that meet a pulse; under the next best offset (0 if given)
   bool is_offset_found = false;
   double largest_off_ms = 0;          // of the matched rows, after the offset
-  std::vector<std::string> left_out;  // in words: rows that meet no pulse, or could be of several
+  std::vector<std::string> left_out;  // descriptions of rows that meet no pulse, or several
 };
 
-/// `offset_s`: nothing: it is sought. Throws Error: no row or no pulse with a time, no offset fits at least 3
-/// rows and half of all, or two fit nearly alike.
+/// Matches rows and pulses. `offset_s`: nothing: it is searched. Throws Error: no row or no pulse with a
+/// time, no offset fits at least 3 rows and half of all, or two fit nearly alike.
 MepMatch matchMeps(const MepFile& file, const std::vector<casefile::ReviewedPulse>& pulses,
                    std::optional<double> offset_s, const MepImportLimits& limits);
-/// "12 MEPs from emg.csv; clock offset +3.214 s (found: 12 of 12 rows fit, 3 under the next best)".
+/// Returns "12 MEPs from emg.csv; clock offset +3.214 s (found: 12 of 12 rows fit, 3 under the next best)".
 std::string mepMatchWords(const MepMatch& match, const MepFile& file);
 
 }  // namespace facenav::steps

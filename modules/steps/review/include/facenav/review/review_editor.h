@@ -1,7 +1,7 @@
 #pragma once
-// ReviewEditor: changes to a kept session, each of which can be taken back: pulses excluded with a reason or
-// taken in again, MEPs entered or imported. Each change and each undo is written to the session at once, as
-// one more line of its history.
+// ReviewEditor: changes to a stored session with undo: pulses excluded with a reason or included again, MEPs
+// entered or imported. Each change and each undo is written to the session at once, as one more line of its
+// history.
 
 #include <filesystem>
 #include <optional>
@@ -14,11 +14,11 @@ namespace facenav::steps {
 
 class ReviewEditor {
  public:
-  /// Begins with another session; forgets what could be undone.
+  /// Opens another session and clears the undo list.
   void open(const std::filesystem::path& session_folder);
   const std::filesystem::path& folder() const { return folder_; }
 
-  // Each throws Error, and then nothing is changed.
+  // The next functions throw Error, and then nothing is changed.
   void exclude(const std::vector<int>& numbers, const std::string& reason, const std::string& by);
   void include(const std::vector<int>& numbers, const std::string& by);
   void setMeps(const std::vector<casefile::MepEdit>& edits);
@@ -27,12 +27,12 @@ class ReviewEditor {
 
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
-  /// "exclude 12 pulses", for the button; empty if there is none.
+  /// Label of the undo button: "exclude 12 pulses"; empty if there is nothing to undo.
   std::string undoWords() const { return done_.empty() ? std::string() : done_.back().words; }
   std::string redoWords() const { return undone_.empty() ? std::string() : undone_.back().words; }
 
  private:
-  /// Only one of the lists is filled.
+  /// One change; only one of the lists is filled.
   struct Change {
     std::vector<casefile::PulseEdit> pulses;
     std::vector<casefile::MepEdit> meps;

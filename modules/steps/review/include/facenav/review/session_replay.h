@@ -1,6 +1,6 @@
 #pragma once
-// What is needed to replay a session: its track (poses and guidance over time), its targets as they were
-// then, its pulses, and the pictures of its recording where they are still there.
+// Everything to replay a session: its track (poses and guidance over time), its targets as they were then,
+// its pulses, and the pictures of its recording if they still exist.
 
 #include <filesystem>
 #include <memory>
@@ -20,16 +20,17 @@ struct SessionReplay {
   std::string pictures_words;                            // why there are none; empty if there are
 };
 
-/// poses.csv and guidance.csv in `folder` (a session, or any folder with the output of track and guide). The
-/// pictures are those of the recording kept in the folder (itself or recording/), else those of the pulses
-/// (evidence/: of their frames alone). Throws Error without poses.
+/// Opens poses.csv and guidance.csv in `folder` (a session, or any folder with the output of track and
+/// guide). The pictures are those of a recording in the folder (itself or recording/), else those of the
+/// pulses' frames (evidence/). Throws Error without poses.
 SessionReplay openReplay(const std::filesystem::path& folder);
-/// The pictures of another recording folder. Throws Error if they are not those of this track: its frames
-/// must have the numbers and, within 1 ms, the times of the track's.
+/// Opens the pictures of another recording folder. Throws Error if they do not belong to this track: its
+/// frames must have the numbers and, within 1 ms, the times of the track's.
 std::shared_ptr<capture::RecordingPictures> openPictures(const std::filesystem::path& recording,
                                                          const casefile::SessionTrack& track);
 
-/// "face lost: no_face", "coil lost: no_marker", "not aligned with the MRI"; empty if both have poses.
+/// Returns "face lost: no_face", "coil lost: no_marker", "not aligned with the MRI"; empty if both have
+/// poses.
 std::string lossAt(const casefile::SessionTrack& track, const casefile::TrackMoment& moment);
 
 }  // namespace facenav::steps

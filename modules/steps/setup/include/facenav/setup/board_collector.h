@@ -1,8 +1,8 @@
 #pragma once
-// BoardCollector: chooses the views of a calibration by itself. A person holds the board before both cameras,
-// moves it and holds it still; a view is taken when the board stands still in both pictures, is sharp, well
-// lit, and shows something that no earlier view shows. Each refusal is told with its reason; a wish tells
-// what is still missing. cameras::calibrateCorners makes the rig from the views.
+// BoardCollector: chooses the views of a calibration. A person holds the board before both cameras, moves it
+// and holds it still. A view is taken when the board is still in both pictures, sharp, well lit, and in a
+// pose that no earlier view shows. Each refusal has a reason; wish() names what is still missing.
+// cameras::calibrateCorners makes the rig from the views.
 
 #include <map>
 #include <optional>
@@ -59,27 +59,27 @@ struct BoardRules {
                                  "by judgement; calibrate asks for 5 views and is better with 15 to 20"};
 };
 
-/// What the last pair showed.
+/// Result of the last pair.
 struct BoardSight {
   enum class State {
     none,      // no board in either picture
     one_side,  // in one picture only
-    moving,    // it does not stand still
+    moving,    // it is not still
     refused,   // blurred, dark or bright: `reason`
     known,     // nothing new
     taken,     // a view was taken
   };
   State state = State::none;
-  std::string reason;                // why it was not taken, in words; empty where it was
+  std::string reason;                // why it was not taken; empty if it was
   cameras::SeenCorners left, right;  // for drawing; empty: not seen
 };
 
-/// What the views cover.
+/// Poses and picture areas covered by the views.
 struct BoardCoverage {
-  std::vector<bool> left_cells, right_cells;  // 3 x 3, row by row: a corner was seen there
-  // Views tilted so that this edge of the board, as seen in the left picture, is the farther one.
+  std::vector<bool> left_cells, right_cells;  // 3 x 3, row by row: true where a corner was seen
+  // Set by views tilted so that this edge of the board, as seen in the left picture, is the farther one.
   bool is_left_far = false, is_right_far = false, is_top_far = false, is_bottom_far = false;
-  double size_ratio = 1;  // of the nearest view to the farthest
+  double size_ratio = 1;  // size of the nearest view divided by that of the farthest
   int cellsMissing() const;
   int tiltsMissing() const;
 };
@@ -89,20 +89,21 @@ class BoardCollector {
   BoardCollector(const cameras::Board& board, const cv::Size& picture, const BoardRules& rules);
   BoardCollector(const cameras::Board& board, const cv::Size& picture);  // with the settings in force
 
-  /// A pair of a film, in the order of the capture times.
+  /// Adds a pair of a film, in the order of the capture times.
   BoardSight add(const cameras::StereoFrame& frame);
-  /// A pair taken for itself: it stands still. Until there are enough, it need not show something new.
+  /// Adds a pair taken on request, with the board at rest. Until there are enough views, it need not show
+  /// something new.
   BoardSight addStill(const cameras::CalibrationPair& pair);
 
   const std::vector<cameras::BoardView>& views() const { return views_; }
   BoardCoverage coverage() const;
-  /// All that a good calibration needs.
+  /// True if the views suffice for a good calibration.
   bool isEnough() const;
   /// What to do next, one sentence: "hold the board in the upper left of the picture".
   std::string wish() const;
-  /// How many pairs were refused for each reason, since the start.
+  /// Number of refused pairs by reason, since the start.
   const std::map<std::string, int>& refusals() const { return refusals_; }
-  /// The rig of the views. Throws Error as calibrateCorners does.
+  /// Calibrates the rig from the views. Throws Error as calibrateCorners does.
   cameras::Calibration calibrate(TaskMonitor& monitor) const;
   void clear();
 

@@ -1,6 +1,6 @@
 #pragma once
-// PlacementJudge: are the two cameras placed well? Distance, overlap, light and focus, judged from the
-// pictures of a person who sits where the patient will sit. No calibration is needed. Step 1 of the set-up.
+// PlacementJudge: judges whether the two cameras are placed well: distance, overlap, light and focus, from
+// the pictures of a person who sits where the patient will sit. Needs no calibration. Step 1 of the set-up.
 
 #include <memory>
 #include <string>
@@ -52,7 +52,7 @@ struct PlacementRules {
       "by judgement, between the sharp and the blurred texture of its test; no webcam was measured"};
 };
 
-/// One thing that is judged.
+/// Finding on one criterion.
 struct PlacementFinding {
   enum class Subject { distance, overlap, light, focus };
   Subject subject;
@@ -63,7 +63,7 @@ struct PlacementFinding {
 struct Placement {
   std::vector<PlacementFinding> findings;  // distance, overlap, light, focus; overlap alone without a face
   bool isGood() const;
-  /// The most urgent, one sentence.
+  /// Words of the most urgent finding, one sentence.
   std::string words() const;
   std::optional<cv::Rect> left_face, right_face;
 };
@@ -71,16 +71,16 @@ struct Placement {
 class PlacementJudge {
  public:
   explicit PlacementJudge(std::shared_ptr<const face::FaceDetector> detector);
-  /// Takes some 10 ms while the face stays where it was.
+  /// Judges a frame in some 10 ms while the face does not move.
   Placement judge(const cameras::StereoFrame& frame);
 
  private:
   std::shared_ptr<const face::FaceDetector> detector_;
-  std::optional<face::FaceLandmarks> left_, right_;  // of the frame before
+  std::optional<face::FaceLandmarks> left_, right_;  // of the previous frame
 };
 
 /// Blur of a grey picture without a reference, 0 sharp .. 1 blurred: how little neighbouring pixels change
-/// more than after one more blur. F. Crete et al., "The blur effect", SPIE 6492 (2007).
+/// more than after further blurring. F. Crete et al., "The blur effect", SPIE 6492 (2007).
 double blurEffect(const cv::Mat& grey);
 
 }  // namespace facenav::steps

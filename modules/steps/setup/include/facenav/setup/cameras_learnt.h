@@ -1,6 +1,6 @@
 #pragma once
-// CamerasLearnt: what a session found out about its cameras, and what is kept of it with the rig, so that the
-// next session starts with it: the rolling shutter that a fast coil showed, and that a camera has moved.
+// CamerasLearnt: what a session measured about its cameras and stores with the rig for the next session: the
+// rolling shutter that a fast coil showed, and that a camera has moved.
 
 #include <array>
 #include <optional>
@@ -13,25 +13,25 @@
 namespace facenav::steps {
 
 struct CamerasLearnt {
-  /// Left and right, s from one row to the row below, where they differ from what the rig states.
+  /// Row times of left and right camera, s from one row to the next, if they differ from the rig's.
   std::optional<std::array<double, 2>> row_times_s;
-  /// That a camera seems to have moved: a fault that withheld every pose to the end, or a small motion that
-  /// was corrected. One line; empty: nothing of it.
+  /// Note that a camera seems to have moved: a fault that withheld every pose to the end, or a small motion
+  /// that was corrected. One line; empty: no motion.
   std::string moved;
   bool isEmpty() const { return !row_times_s && moved.empty(); }
 };
 
-/// Measured row times (left, right) where they differ from what the rig states by more than matters.
+/// Returns the measured row times (left, right) if they differ relevantly from the rig's.
 std::optional<std::array<double, 2>> otherRowTimes(const std::array<double, 2>& measured_s,
                                                    const cameras::StereoRig& rig);
 
-/// `last`: newest state of a session. `rig`: that it was started with. Row times are not kept from cameras
-/// that moved or are not in step: they falsify them.
+/// Collects a session's results. `last`: its newest state. `rig`: the one it was started with. Row times of
+/// cameras that moved or are not in step are wrong and left out.
 CamerasLearnt learntOf(const session::NavigationState& last, const cameras::StereoRig& rig);
 
-/// Into the store. A rig whose camera seems to have moved becomes unclear, unless a fault is noted already:
-/// cameras that are not in step can look like it, and the next opening verifies it (rig_start.h). What cannot
-/// be written is a warning in the log.
+/// Writes into the store. A rig whose camera seems to have moved becomes unclear, unless a fault is noted
+/// already: cameras that are not in step can look moved, and the next opening verifies the rig (rig_start.h).
+/// Logs a warning if writing fails.
 void keepLearnt(const capture::RigStore& store, const std::string& name, const CamerasLearnt& learnt);
 
 }  // namespace facenav::steps

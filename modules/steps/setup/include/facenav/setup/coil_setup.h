@@ -1,8 +1,8 @@
 #pragma once
-// CoilSetup: step 4 of the set-up. Is the coil's marker recognised, and where is the coil on it? The coil is
-// calibrated by pivoting: its centre, then a point of the handle, then a point of the side stands on a fixed
-// tip while the coil is turned about it (coil_tracking/coil_calibration.h). Or with a jig that holds a second
-// marker. Poses are collected by themselves.
+// CoilSetup: step 4 of the set-up. It checks that the coil's marker is recognised and measures the coil's
+// pose on it, by pivoting: the coil's centre, then a point of the handle, then a point of the side rests on a
+// fixed tip while the coil is turned about it (coil_tracking/coil_calibration.h). Alternatively a jig holds a
+// second marker. Poses are collected automatically.
 
 #include <memory>
 #include <optional>
@@ -25,12 +25,12 @@ class CoilSetup {
   CoilSetup(const cameras::StereoRig& rig, const coil_tracking::CoilModel& coil, MakeTracker make_tracker);
   ~CoilSetup();
 
-  /// One frame; follows the marker and collects poses in the stages that need them.
+  /// Adds a frame; tracks the marker and collects poses in the stages that need them.
   void add(const cameras::StereoFrame& frame);
-  /// Starts with the coil's centre on the tip.
+  /// Starts pivoting, with the coil's centre on the tip.
   void startPivots();
-  /// The jig's marker and its place on the coil, as coil.json. A jig with the coil's own marker is refused in
-  /// words().
+  /// Starts the calibration by a jig, described as a coil.json with its marker's pose on the coil. A jig with
+  /// the coil's own marker is refused in words().
   void startJig(const coil_tracking::CoilModel& jig);
   /// Measures the cameras' rolling shutter on the waved coil; optional.
   void startWave();
@@ -38,20 +38,20 @@ class CoilSetup {
 
   Stage stage() const { return stage_; }
   bool isSeen() const { return is_seen_; }
-  /// The jig's marker, while the coil is calibrated with a jig.
+  /// True if the jig's marker is seen, while the coil is calibrated with a jig.
   bool isJigSeen() const { return is_jig_seen_; }
-  /// Since startWave() was called last; kept while the coil is calibrated.
+  /// Wave since the last startWave(); kept while the coil is calibrated.
   const std::optional<ShutterWave>& wave() const { return wave_; }
-  /// words() say what is wrong.
+  /// True if words() describe a fault.
   bool hasTrouble() const { return !trouble_.empty(); }
   /// Corners of the marker in the last frame, for drawing; empty: not seen.
   const std::vector<cv::Point2f>& leftCorners() const { return left_px_; }
   const std::vector<cv::Point2f>& rightCorners() const { return right_px_; }
-  /// Of the running stage, 0..1.
+  /// Progress of the running stage, 0..1.
   double progress() const;
   /// What to do, one sentence.
   std::string words() const;
-  /// Set at the end.
+  /// Result; set at the end.
   const std::optional<coil_tracking::CoilCalibration>& result() const { return result_; }
 
  private:
@@ -72,8 +72,8 @@ class CoilSetup {
   std::unique_ptr<coil_tracking::CoilTracker> tracker_, jig_tracker_;
   Stage stage_ = Stage::look;
   bool is_seen_ = false, is_jig_seen_ = false;
-  std::optional<int> other_marker_;  // seen in place of the coil's: the coil that is held is another
-  double now_s_ = 0, turned_s_ = 0;  // the newest frame; the last that showed a new pose, or a start
+  std::optional<int> other_marker_;  // seen instead of the coil's: another coil is held
+  double now_s_ = 0, turned_s_ = 0;  // time of the newest frame; time of the last new pose, or of the start
   std::optional<double> looked_for_others_s_;
   std::vector<cv::Point2f> left_px_, right_px_;
   std::vector<RigidTransform<Camera, Marker>> poses_;

@@ -1,9 +1,9 @@
 #pragma once
-// RigStart: a kept rig is verified each time its cameras open: its adjustments and sizes, and from the
-// first seconds of pictures whether the calibration still holds. The coil's marker shows every motion of a
-// camera. A face shows a nod; it shows a roll only away from the picture's middle, and no sideways turn. In:
+// RigStart: verifies a stored rig each time its cameras open: its adjustments and sizes, and from the first
+// seconds of pictures whether the calibration is still valid. The coil's marker shows every motion of a
+// camera. A face shows pitch; it shows roll only away from the picture's middle, and no sideways turn. In:
 // NamedRig, opened cameras, stereo frames. Out: one line for the user and for the rig's folder. Used by
-// verified_cameras.h, so by every step that opens a kept rig.
+// verified_cameras.h, so by every step that opens a stored rig.
 
 #include <memory>
 #include <optional>
@@ -17,46 +17,47 @@
 
 namespace facenav::steps {
 
-/// What was found at one start.
+/// Findings at one start.
 struct RigStart {
   enum class By { nothing, face, marker, both };
 
   health::RigState state = health::RigState::unclear;
-  By by = By::nothing;                // what was seen well enough
-  std::string geometry;               // what was found of the calibration, with numbers
-  std::vector<std::string> differs;   // adjustments that are not as kept, one line each
-  std::vector<std::string> restored;  // that were not, and are again
-  /// An earlier check that found a fault, which nothing has cleared since.
+  By by = By::nothing;                // the object that was seen well enough
+  std::string geometry;               // finding on the calibration, with numbers
+  std::vector<std::string> differs;   // adjustments that differ from the stored ones, one line each
+  std::vector<std::string> restored;  // adjustments that differed and were restored
+  /// Earlier check that found a fault that is still in force.
   std::optional<capture::RigCheckNote> earlier;
 
-  /// Guidance and alignment with these cameras may be wrong: they are withheld until the rig is repaired.
+  /// True if guidance and alignment with these cameras may be wrong: they are withheld until the rig is
+  /// repaired.
   bool isWithheld() const;
-  /// One line, without what to do about a fault.
+  /// One line, without the advice on a fault.
   std::string words() const;
 };
 
-/// What judges the pictures.
+/// Methods that judge the pictures.
 struct RigStartMethods {
-  std::shared_ptr<const face::FaceDetector> face_detector;   // null: no face is looked for
-  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;  // null: no marker is looked for
+  std::shared_ptr<const face::FaceDetector> face_detector;   // null: no search for a face
+  std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;  // null: no search for a marker
   coil_tracking::CoilModel coil = coil_tracking::defaultCoil();
 };
 
 class RigStartCheck {
  public:
-  /// A `last_check` of the rig that found a fault stays in force until the marker shows that the calibration
-  /// holds: a face cannot show that a camera no longer looks sideways.
+  /// Starts a check. A `last_check` of the rig that found a fault stays in force until the marker shows that
+  /// the calibration is valid, because a face cannot show that a camera turned sideways.
   RigStartCheck(const capture::NamedRig& rig, RigStartMethods methods);
   ~RigStartCheck();
   RigStartCheck(RigStartCheck&&) noexcept;
 
-  /// How the cameras stand after they were opened (capture::changedSettings, restoredSettings).
+  /// Notes the cameras' settings after opening (capture::changedSettings, restoredSettings).
   void noteSettings(std::vector<std::string> differs, std::vector<std::string> restored);
-  /// One frame of the rig's size, in the order of their times. Takes milliseconds; a second for each of the
-  /// few frames in which a face is measured. Throws Error: the pictures have another size.
+  /// Adds a frame of the rig's size, in the order of their times. Takes milliseconds; a second for each of
+  /// the few frames in which a face is measured. Throws Error: the pictures have another size.
   void add(const cameras::StereoFrame& frame);
   RigStart result() const;
-  /// Further frames would change nothing.
+  /// True if further frames would change nothing.
   bool isDone() const;
 
  private:

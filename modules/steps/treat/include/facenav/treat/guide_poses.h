@@ -1,5 +1,6 @@
 #pragma once
-// GUIDE: poses of head and coil (poses.csv) and the case's plan -> distance, tilt and twist, frame by frame.
+// GUIDE: computes distance, tilt and twist, frame by frame, from poses of head and coil (poses.csv) and the
+// case's plan.
 
 #include <optional>
 #include <string>
@@ -11,12 +12,12 @@
 
 namespace facenav::steps {
 
-/// Predicted error of the alignment at the target as it is planned now, mm; nothing if alignment.json does
-/// not say. Throws Error: no such target.
+/// Predicted error of the alignment at the target as it is planned now, mm; nothing if alignment.json lacks
+/// it. Throws Error: no such target.
 std::optional<double> predictedError_mm(const casefile::CaseStore& store, const std::string& target);
 
-/// Rows of guidance.csv from poses and the case's plan. Throws Error: no such target, or poses that are not
-/// placed in the MRI. `scalp`: for the gap; may be null.
+/// Computes rows of guidance.csv from poses and the case's plan. Throws Error: no such target, or poses that
+/// are not placed in the MRI. `scalp`: for the gap; may be null.
 std::vector<guidance::GuidanceRow> guidePoses(const casefile::CaseStore& store,
                                               const std::vector<casefile::PoseRow>& poses,
                                               const std::string& target_name,

@@ -1,6 +1,6 @@
 #pragma once
-// TREAT: the search for a case's motor threshold, answer by answer, kept at once (casefile/threshold_file.h).
-// `facenav threshold` and the window use it; an unfinished search is gone on with.
+// TREAT: the search for a case's motor threshold. Each answer is stored at once (casefile/threshold_file.h).
+// `facenav threshold` and the window use it; an unfinished search can be continued.
 
 #include <filesystem>
 #include <map>
@@ -15,26 +15,26 @@ struct ThresholdRequest {
   std::filesystem::path case_folder;
   stimulation::ThresholdMethod method = stimulation::ThresholdMethod::bayes;
   std::string muscle = {};
-  bool is_new = false;  // leaves an unfinished search as it is and begins another
+  bool is_new = false;  // leaves an unfinished search unchanged and begins another
 };
 
 class MotorThreshold {
  public:
-  /// Goes on with the case's newest search if it is not done and of this method and muscle (an empty muscle
+  /// Continues the case's newest search if it is unfinished and of this method and muscle (an empty muscle
   /// fits any); else begins one. Throws Error.
   explicit MotorThreshold(const ThresholdRequest& request);
 
   const stimulation::ThresholdState& state() const { return state_; }
   const casefile::KeptThreshold& kept() const { return file_.kept(); }
-  /// True where answers of an earlier run were found.
+  /// True if answers of an earlier run were found.
   bool isResumed() const { return is_resumed_; }
-  /// "52.3 % (95 % interval ..), bayes, 9 responses of 18 pulses, FDI".
+  /// Returns "52.3 % (95 % interval ..), bayes, 9 responses of 18 pulses, FDI".
   std::string inWords() const;
 
-  // Durable when they return. They throw Error: an impossible intensity, a negative MEP, a full disk; nothing
-  // has changed then.
+  // The next functions are durable when they return. They throw Error: an impossible intensity, a negative
+  // MEP, a full disk; nothing has changed then.
   void answer(double intensity_pct, bool has_response);
-  /// A response from ThresholdRules::response_uv on.
+  /// Adds an MEP; it is a response from ThresholdRules::response_uv on.
   void answerWithMep(double intensity_pct, double mep_uv);
   void takeBack();
 
@@ -46,8 +46,8 @@ class MotorThreshold {
   bool is_resumed_ = false;
 };
 
-/// What the pulses of a session say: those with an intensity and an MEP, or with a twitch answered by key, in
-/// order, without the excluded ones.
+/// Extracts the answers from a session's pulses: those with an intensity and an MEP, or with a twitch
+/// answered by key, in order, without the excluded ones.
 std::vector<stimulation::ThresholdAnswer> thresholdAnswers(const casefile::SessionPulses& session,
                                                            const std::map<int, bool>& twitches);
 

@@ -1,7 +1,7 @@
 #pragma once
-// RETURN: a session of the case that a person may go on with, after a crash, a power cut or a closed window.
-// It comes back with every pulse in its file; the case's own alignment is used again, and guidance is
-// withheld until a check of the registration passes (monitoring/registration_check.h).
+// RETURN: finds a session of the case that can be continued after a crash, a power cut or a closed window. It
+// has every pulse in its file; the case's own alignment is used again, and guidance is withheld until a check
+// of the registration passes (monitoring/registration_check.h).
 
 #include <filesystem>
 #include <optional>
@@ -27,16 +27,15 @@ struct ReturnRules {
                                      "a treatment goes on on the same day, or is another session"};
 };
 
-/// The newest session, if it was cut off, or ended before the pulses of its plan were given; not one that
-/// still runs, nor one that is older than ReturnRules says. Files that cannot be read: nothing, and a
-/// warning.
+/// Returns the newest session if it was cut off, or ended before the pulses of its plan were given. Nothing
+/// if it still runs or is older than ReturnRules allows. If files cannot be read: nothing, and a warning.
 std::optional<casefile::SessionSoFar> interruptedSession(const std::filesystem::path& case_folder);
-/// The session of that name (empty: the newest), however old. Throws Error: none, or another program writes
-/// it.
+/// Returns the session with that name (empty: the newest), however old. Throws Error: none, or another
+/// program writes it.
 casefile::SessionSoFar sessionToGoOnWith(const std::filesystem::path& case_folder, const std::string& name);
-/// Pulses that the target's own dose, else the case's protocol, wants in a session; nothing: not stated.
+/// Planned pulses of a session, by the target's own dose, else the case's protocol; nothing: not given.
 std::optional<int> plannedPulses(const std::filesystem::path& case_folder, const std::string& target);
-/// "session 20261123T140509Z: 83 of 200 pulses, cut off 2 min ago".
+/// Returns "session 20261123T140509Z: 83 of 200 pulses, cut off 2 min ago".
 std::string inWords(const casefile::SessionSoFar& session, std::optional<int> planned);
 
 }  // namespace facenav::steps

@@ -1,6 +1,6 @@
 #pragma once
-// TRACK: a recording -> poses of head and coil, frame by frame. With a case: aligned from its capture pair
-// and placed in the MRI. The same code runs for a real patient and for the demo.
+// TRACK: computes poses of head and coil, frame by frame, from a recording. With a case: aligned from its
+// capture pair and placed in the MRI. The same code runs for a real patient and for the demo.
 
 #include <array>
 #include <filesystem>
@@ -19,8 +19,8 @@ struct TrackRequest {
   std::filesystem::path recording;
   std::optional<std::filesystem::path> case_folder, coil_file;
   std::string aligner, head_tracker, coil_tracker;  // registered names
-  std::string target;                               // of the case; empty: no guidance
-  bool keeps_key_frames = false;  // keep key frames of the face with the case, for the next session
+  std::string target;                               // in the case; empty: no guidance
+  bool keeps_key_frames = false;  // stores key frames of the face with the case, for the next session
 };
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil
@@ -28,16 +28,16 @@ struct TrackOutcome {
   int head_tracked = 0, coil_tracked = 0, frames = 0;
   int rig_fault_frames = 0;  // frames in which every pose was refused because of a camera fault
   std::optional<health::RigVerdict> rig_fault;            // the last one; empty: none
-  std::optional<health::CorrectedMotion> rig_correction;  // of a camera that moved on its mount; empty: none
+  std::optional<health::CorrectedMotion> rig_correction;  // for a camera that moved on its mount; empty: none
   // Delay of the right camera's exposure after the left one's, as estimated at the end.
   double right_late_ms = 0;
-  // Time from the first row to the last of a picture of the left and the right camera (rolling shutter), as
-  // the rig states it or as the moving coil shows it; 0: none, or not known.
+  // Time from the first row to the last of a picture of the left and the right camera (rolling shutter), from
+  // the rig or as measured on the moving coil; 0: none, or unknown.
   std::array<double, 2> readout_ms{0, 0};
   double processing_ms_median = 0, processing_ms_p99 = 0;
 };
-/// `on_frame` (may be empty) is called with every state. Throws Error, also when neither face nor marker was
-/// found in any frame.
+/// Tracks the recording. `on_frame` (may be empty) is called with every state. Throws Error, also when
+/// neither face nor marker was found in any frame.
 TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& request, TaskMonitor& monitor,
                             const std::function<void(const session::NavigationState&)>& on_frame = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// TREAT from the command line: live cameras, or a recording played as if it were live, guided to a target,
+// TREAT from the command line: guides live cameras, or a recording played as if it were live, to a target,
 // with pulses from outside, logged into the case like a session of the window (`facenav track --pulses`,
 // `track --live`, `guide --live`).
 
@@ -15,29 +15,29 @@
 
 namespace facenav::steps {
 
-/// Live cameras in place of a recording.
+/// Live cameras instead of a recording.
 struct LiveCameras {
   cameras::StereoRig rig;
   std::function<std::unique_ptr<capture::FrameSource>()> open;  // called again after they were away
   double seconds = 0;                                           // 0: without end
-  std::function<void(const CamerasLearnt&)> keepLearnt;         // with the rig, at the end; may be null
+  std::function<void(const CamerasLearnt&)> keepLearnt;         // stores it at the end; may be null
 };
 
 struct TreatRecordingRequest {
   std::filesystem::path recording, case_folder;
-  std::optional<std::filesystem::path> coil_file;   // nothing: as openTreatmentFilm
+  std::optional<std::filesystem::path> coil_file;   // nothing: as in openTreatmentFilm
   std::string aligner, head_tracker, coil_tracker;  // registered names
   std::string target;                               // empty: the case's first one
   std::vector<std::string> sources;                 // words of links::openPulseSource
   std::optional<double> intensity_pct;
   std::optional<SignOffOverride> override;
-  bool goes_on = false;      // with an earlier session of the case, on the case's own alignment
-  std::string session = {};  // which; empty: the newest
+  bool goes_on = false;      // continues an earlier session of the case, on the case's own alignment
+  std::string session = {};  // its name; empty: the newest
   double speed = 1.0;        // relative to real time
-  int passes = 1;            // through the recording, forwards and backwards in turn; 0: without end
-  /// Called every few milliseconds while the session runs; false: it ends. May be empty.
+  int passes = 1;            // through the recording, alternately forwards and backwards; 0: endless
+  /// Called every few milliseconds while the session runs; return false to end it. May be empty.
   std::function<bool(Treatment&)> look = {};
-  /// The alignment is then the case's own, and guidance is withheld until it is checked.
+  /// Uses live cameras. The alignment is then the case's own, and guidance is withheld until it is checked.
   std::optional<LiveCameras> live = {};
 };
 
@@ -46,14 +46,14 @@ struct TreatRecordingOutcome {
   session::PulseCounts pulses;
   int frames = 0;
   double processing_ms_median = 0, processing_ms_p99 = 0;
-  std::string failure = {};  // why it ended before its time, in words; empty: it did not
+  std::string failure = {};  // why it ended early; empty: it did not
 };
 
-/// One line on how it goes: "on target, 1.2 mm, 3 deg; 12 pulses". What is lost is said in place of figures.
+/// Status in one line: "on target, 1.2 mm, 3 deg; 12 pulses". A loss replaces the figures.
 std::string inWords(const Treatment& treatment, const session::NavigationState& state);
 
-/// Ends with the recording or the live time, or when `monitor` is cancelled; the session is kept in both
-/// cases. Throws Error: not signed off, not aligned, no such target, a source that cannot be opened.
+/// Treats until the recording or the live time ends, or `monitor` is cancelled; the session is stored in each
+/// case. Throws Error: not signed off, not aligned, no such target, a source that cannot be opened.
 TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRecordingRequest& request,
                                      TaskMonitor& monitor);
 

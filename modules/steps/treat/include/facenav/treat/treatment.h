@@ -1,6 +1,6 @@
 #pragma once
 // TREAT: opens what a session needs (case, cameras or a recording, coil, trackers) and runs it with its log.
-// The window and `facenav track --pulses` use the same functions; they only differ in what they show.
+// The window and `facenav track --pulses` use the same functions and differ only in their display.
 
 #include <atomic>
 #include <filesystem>
@@ -22,16 +22,16 @@
 
 namespace facenav::steps {
 
-/// A recording that is played in place of cameras, and the coil filmed in it.
+/// A recording that is played instead of cameras, and the coil in it.
 struct TreatmentFilm {
   capture::Recording recording;
   coil_tracking::CoilModel coil;
-  coil_tracking::CoilCard card;  // of the coil; of the default one: only its name
+  coil_tracking::CoilCard card;  // the coil's; for the default coil only its name
 };
-/// The coil is that of coil.json in the recording, else the default one. Throws Error.
+/// Opens a recording. The coil is that of its coil.json, else the default one. Throws Error.
 TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder);
 
-/// A clinician treats a case without a valid sign-off.
+/// A clinician's decision to treat a case without a valid sign-off.
 struct SignOffOverride {
   std::string by, reason;
 };
@@ -39,25 +39,25 @@ struct SignOffOverride {
 struct TreatmentRequest {
   casefile::CaseStore store;
   capture::Recording recording;  // with live cameras: their rig
-  /// Live cameras: one that is unplugged comes back by itself (capture/returning_cameras.h).
+  /// True for live cameras: one that is unplugged reopens automatically (capture/returning_cameras.h).
   bool is_live = false;
   coil_tracking::CoilModel coil;
   std::shared_ptr<const AlignmentOutcome> alignment;
-  /// What a person must know of the coil: that its calibration is old (coil_library.h). Logged.
+  /// Warning that the coil's calibration is old (coil_library.h). Logged.
   std::optional<std::string> coil_reminder = {};
   std::optional<SignOffOverride> override = {};
-  /// The folder of an earlier session of the case that is gone on with (session_return.h); empty: a new one.
-  /// The alignment is then the case's own, and guidance is withheld until it is checked.
+  /// Folder of an earlier session of the case to continue (session_return.h); empty: a new one. The alignment
+  /// is then the case's own, and guidance is withheld until it is checked.
   std::filesystem::path goes_on = {};
   double speed = 1.0;                             // of a recording, relative to real time
   std::optional<std::string> focus_caution = {};  // coil_library.h; logged
-  /// The alignment is of an earlier moment: guidance is withheld until it is checked.
+  /// True if the alignment is an earlier one: guidance is withheld until it is checked.
   bool is_checked_first = false;
-  /// Called at the end with what is worth keeping with a kept rig; may be null. On the thread of end().
+  /// Called at the end with results to store with the rig; may be null. Runs on the thread of end().
   std::function<void(const CamerasLearnt&)> keepLearnt = nullptr;
 };
 
-/// How trackers and frames are opened; a test replaces them.
+/// Functions that open trackers and frames; a test replaces them.
 struct TreatmentDevices {
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
   std::function<std::unique_ptr<capture::FrameSource>()> openSource;
@@ -69,89 +69,90 @@ struct PreparedTreatment {
   std::unique_ptr<session::Navigator> navigator;
   std::unique_ptr<capture::FrameSource> source;
 };
-/// Slow; for a worker thread. Throws Error: not signed off and no override, no face, a camera that is busy.
+/// Opens everything. Slow; for a worker thread. Throws Error: not signed off and no override, no face, a
+/// camera that is busy.
 PreparedTreatment prepareTreatment(const TreatmentRequest& request, const TreatmentDevices& devices);
 
-/// A window's cameras, from their preview to the treatment. Both are null where a recording is played.
+/// A window's cameras, from their preview to the treatment. Both are null if a recording is played.
 struct CameraTurnover {
   std::function<std::unique_ptr<capture::FrameSource>()> open;
-  std::shared_ptr<const void> preview;  // holds the cameras until they are opened
+  std::shared_ptr<const void> preview;  // keeps the cameras open until the treatment opens them
 };
-/// The same for a window: with its navigator, and its cameras or the request's recording.
+/// As above for a window: with its navigator, and its cameras or the request's recording.
 std::shared_ptr<PreparedTreatment> prepareTreatment(
     const TreatmentRequest& request,
     const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
     CameraTurnover& cameras);
 
-/// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", for log, window and command line. `target` may be
-/// null.
+/// Returns "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", for log, window and command line.
+/// `target` may be null.
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target);
-/// With the error that the alignment predicts at the target; `alignment` may be null.
+/// Returns the target with the error that the alignment predicts there; `alignment` may be null.
 session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment);
 
 /// A running session and its log in the case. Used by one thread, except end() and keepReport().
 class Treatment {
  public:
-  /// Starts. Throws Error when the case cannot be written to; then nothing has started.
+  /// Starts the session. Throws Error when the case cannot be written to; then nothing has started.
   Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target);
   ~Treatment();
   Treatment(const Treatment&) = delete;
   Treatment& operator=(const Treatment&) = delete;
 
-  /// Pulses that the target's own dose, else the case's protocol, wants in this session; nothing: not stated.
+  /// Planned pulses of this session, by the target's own dose, else the case's protocol; nothing: not given.
   std::optional<int> plannedPulses() const { return planned_pulses_; }
 
-  // Until end():
+  // The next functions may be called until end().
   session::Session& session() { return *session_; }
   const session::Session& session() const { return *session_; }
   session::TreatmentLog& log() { return *log_; }
   const session::TreatmentLog& log() const { return *log_; }
-  /// `name` is logged; nothing: no target.
+  /// Sets the target; nothing: none. `name` is logged.
   void chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name);
-  /// A target of the case's plan, as it is there now. Throws Error if there is none of that name.
+  /// Sets a target of the case's current plan. Throws Error if there is none of that name.
   void chooseTargetNamed(const std::string& name);
 
-  /// Another coil is followed from the next frame on, and the log says from which. Throws Error where its
-  /// marker is that of the coil in use: a picture could not tell them apart.
+  /// Sets the coil that is tracked from the next frame on; the log records it with that frame. Throws Error
+  /// if its marker is that of the coil in use, because a picture could not distinguish them.
   void chooseCoil(const coil_tracking::CoilModel& coil);
   const std::string& coilName() const { return coil_.name; }
 
-  /// The pulses of a source, from now on; beside it the keyboard is always there. What keeps a source from
-  /// working is an event. Throws Error when it cannot be opened; none is added then.
+  /// Adds a source of pulses, besides the keyboard. Faults of a source are logged as events. Throws Error,
+  /// and adds none, if it cannot be opened.
   void listen(std::unique_ptr<links::PulseSource> source);
-  /// The same by the source's words. A session goes on without a source that cannot be opened: that is
-  /// logged, and returned in words.
+  /// Adds a source by its words. If it cannot be opened, the session continues without it; the fault is
+  /// logged and returned.
   std::optional<std::string> tryToListen(const std::string& source);
-  /// No more pulses from these sources.
+  /// Stops these sources.
   void stopListening();
-  /// A pulse by the window's key or button.
+  /// Adds a pulse by the window's key or button.
   void pressPulse() { keyboard_.press(); }
-  /// Of the following pulses, where their source does not know it; % of the maximal output.
+  /// Sets the intensity of the next pulses whose source does not send it; % of the maximal output.
   void setIntensity(std::optional<double> intensity_pct);
-  /// Pauses with a reason, or goes on. Only an event: pulses are judged as ever.
+  /// Pauses with a reason, or resumes. Only logs an event: pulses are judged as usual.
   void pause(const std::string& reason);
   void resume();
   bool isPaused() const { return is_paused_; }
-  /// Measures for two seconds whether the MRI is still aligned with the face. The finding is in the next
-  /// states (NavigationState::check) and in the log; one that failed withholds guidance until one passes.
+  /// Measures for two seconds whether the MRI is still aligned with the face. The finding appears in the next
+  /// states (NavigationState::check) and in the log; a failed check withholds guidance until one passes.
   void checkRegistration();
-  /// What a person says of the coil's tip, held to nose or ear, or of a spot picked in a picture; logged with
-  /// its distances. Wrong: guidance is withheld for the rest of the session, and the case is no longer
+  /// Adds a person's verdict on the coil's tip, held to nose or ear, or on a spot picked in a picture; logged
+  /// with its distances. Wrong: guidance is withheld for the rest of the session, and the case is no longer
   /// aligned (casefile::setAlignmentAside).
   void judgeTip(TipVerdict verdict, const guidance::TipReading& reading);
-  /// Of the case's scalp; takes a second.
+  /// Makes the check for the case's scalp; takes a second.
   std::shared_ptr<const guidance::TipCheck> makeTipCheck() const;
-  /// The point of the coil in use that is held to the face.
+  /// Point of the coil in use that is held to the face.
   const Point<Coil>& tip() const { return coil_.tip; }
-  /// As the cameras were calibrated.
+  /// The cameras' calibration.
   const cameras::StereoRig& rig() const { return rig_; }
-  /// It is asked for: the last one, or the alignment, is longer ago than RegistrationCheckRules says.
+  /// True if the last check, or the alignment, is older than RegistrationCheckRules allows.
   bool isCheckDue();
 
-  /// Stops, keeps the looks of the face with the case, and closes the log. It waits for a camera that hangs,
-  /// so a window calls it on another thread. Nothing but keepReport() may follow.
+  /// Stops, stores key frames of the face with the case, and closes the log. It waits for a camera that
+  /// hangs, so a window calls it on another thread. Only keepReport() may follow.
   void end();
-  /// After end(). A report that cannot be written is logged as a warning; `facenav report` makes it again.
+  /// Writes the report, after end(). A failure is logged as a warning; `facenav report` writes it again.
   void keepReport() const;
 
  private:
@@ -167,11 +168,11 @@ class Treatment {
   std::shared_ptr<const AlignmentOutcome> alignment_;
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
-  std::atomic<double> intensity_pct_{-1};  // < 0: not known; read by the sources' threads
+  std::atomic<double> intensity_pct_{-1};  // < 0: unknown; read by the sources' threads
   std::optional<casefile::Protocol> protocol_;
   std::optional<int> planned_pulses_;
   bool is_paused_ = false;
-  Timestamp checked_ = Timestamp::now();  // the registration, last
+  Timestamp checked_ = Timestamp::now();  // time of the last registration check
   int last_check_ = 0;
   links::KeyboardSource keyboard_;
   std::vector<std::unique_ptr<links::PulseSource>> sources_;  // they stop before the log ends

@@ -1,7 +1,7 @@
 #pragma once
-// The library of coils: a folder with one folder a coil, each with its coil.json (resources/doc/formats.md,
-// coil_card.h), mesh and patterns. Verbs and window choose a coil by its name. No two coils of a library
-// carry the same marker: a picture could not tell which of them it shows.
+// The coil library: a folder with one subfolder per coil, each with coil.json (resources/doc/formats.md,
+// coil_card.h), mesh and patterns. Verbs and window choose a coil by its name. Two coils of a library never
+// carry the same marker, because an image could not show which of them is in use.
 
 #include <filesystem>
 #include <optional>
@@ -37,40 +37,44 @@ struct LibraryCoil {
   std::filesystem::path file;  // its coil.json
   coil_tracking::CoilModel model;
   coil_tracking::CoilCard card;
-  std::string problem;  // why its file cannot be used; empty: it can
+  std::string problem;  // why its file cannot be used; empty if it can
 };
 
-/// `asked` if not empty, else FACENAV_COILS, else facenav/coils in the user's data folder (XDG_DATA_HOME, or
-/// ~/.local/share). It need not exist.
+/// Returns the library's folder: `asked` if not empty, else FACENAV_COILS, else facenav/coils in the user's
+/// data folder (XDG_DATA_HOME, or ~/.local/share). The folder need not exist.
 std::filesystem::path coilLibrary(const std::filesystem::path& asked = {});
-/// By name; those that cannot be read come last and say why. Empty where the folder does not exist.
+/// Lists the coils by name. Unreadable ones come last, with their problem. Empty if the folder does not
+/// exist.
 std::vector<LibraryCoil> coilsIn(const std::filesystem::path& library);
-/// By its name, or by a beginning that only one has; case does not matter. Throws Error naming those that
-/// there are, or the coil's own problem.
+/// Finds a coil by its name or by a unique beginning of it; case does not matter. Throws Error that lists the
+/// existing names, or with the coil's own problem.
 LibraryCoil findCoil(const std::filesystem::path& library, const std::string& name);
-/// `words` as a coil.json that exists, else as a name in the library. Throws Error.
+/// Takes `words` as the path of an existing coil.json, else as a name in the library. Throws Error.
 std::filesystem::path coilFileOf(const std::string& words, const std::filesystem::path& library);
 
-/// What is stated of a coil when it is added; nothing: as in its file.
+/// Values that the user gives when a coil is added. An absent value stays as in the coil's file.
 struct CoilChanges {
   std::optional<std::string> name, make, model, serial;
   std::optional<Eigen::Vector3d> focus_mm;
 };
-/// Copies coil.json with its mesh and patterns into the library, all or nothing. Throws Error: no coil's
-/// file, no name, a coil of that name (unless `replaces`), or another coil with the same marker.
+/// Copies coil.json with its mesh and patterns into the library, all or nothing. Throws Error if the file is
+/// no coil's, has no name, or if the library has a coil of that name (unless `replaces`) or with the same
+/// marker.
 LibraryCoil addCoil(const std::filesystem::path& library, const std::filesystem::path& coil_json,
                     const CoilChanges& changes, bool replaces);
-/// Throws Error as findCoil does; a damaged coil can be removed by the name of its folder.
+/// Removes a coil. Throws Error as findCoil does; a damaged coil can be removed by the name of its folder.
 void removeCoil(const std::filesystem::path& library, const std::string& name);
 
-/// "the calibration of figure-8 70 mm is 213 days old: calibrate it again (facenav calibrate-coil)"; also
-/// where none is recorded. Nothing: it is recent. `now_s`: seconds since 1970; default: now.
+/// Reminder text for a calibration that is old or was never recorded: "the calibration of figure-8 70 mm is
+/// 213 days old: calibrate it again (facenav calibrate-coil)". Returns nothing if it is recent. `now_s`:
+/// seconds since 1970; default: now.
 std::optional<std::string> calibrationReminder(const coil_tracking::CoilCard& card,
                                                std::optional<double> now_s = {});
-/// "the field of C100 is strongest 12 mm beside its centre: guidance brings the centre to the target";
-/// nothing where it is strongest under the centre.
+/// Caution text: "the field of C100 is strongest 12 mm beside its centre: guidance brings the centre to the
+/// target". Returns nothing if the field is strongest under the centre.
 std::optional<std::string> focusCaution(const coil_tracking::CoilCard& card);
-/// "figure-8 70 mm (Magstim D70, 12 345); marker 4x4_50 id 7; calibrated 2026-05-04, 0.21 mm".
+/// One line such as "figure-8 70 mm (Magstim D70, 12 345); marker 4x4_50 id 7; calibrated 2026-05-04, 0.21
+/// mm".
 std::string inWords(const LibraryCoil& coil);
 
 }  // namespace facenav::coil_library

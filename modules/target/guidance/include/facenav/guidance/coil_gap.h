@@ -1,7 +1,7 @@
 #pragma once
-// The gap between the coil's contact face and the head, from two measurements that share only the coil's
-// pose: the MRI's skin at the head's pose, and the live surface (skin or hair) that both cameras measure
-// beside the coil. With the field that the gap costs. Pure functions.
+// The gap between the coil's contact face and the head, and the field that it costs. The gap is measured in
+// two ways that share only the coil's pose: from the MRI's skin at the head's pose, and from the live surface
+// (skin or hair) that both cameras measure beside the coil. Pure functions.
 
 #include <optional>
 #include <string>
@@ -26,7 +26,8 @@ struct FieldByGap {
       "contact, "
       "53.46 V/m at a gap of 10 mm, that is 4.03 % a mm (4.2 % for the first one)"};
 };
-/// Of the field of a coil that touches the skin, %; 0 for a gap of 0 or less.
+/// Share of the field lost by the gap, in % of the field of a coil that touches the skin; 0 for a gap of 0 or
+/// less.
 double fieldLost_pct(double gap_mm);
 
 /// Height of the live surface above the MRI's skin beside the coil.
@@ -38,18 +39,18 @@ struct LiveSurface {
 struct CoilGap {
   std::optional<double> by_poses_mm;  // contact face's centre above the MRI's skin
   std::optional<LiveSurface> live;
-  double alignment_sigma_mm = 0;  // standard error of the head's pose along the skin's normal; 0: not known
-  std::string unseen;             // why there is no `live`; empty: not looked yet, or there is
+  double alignment_sigma_mm = 0;  // standard error of the head's pose along the skin's normal; 0: unknown
+  std::string unseen;             // why `live` is absent; empty: not measured yet, or present
 
-  /// Contact face's centre above the live surface.
+  /// Height of the contact face's centre above the live surface.
   std::optional<double> byStereo_mm() const;
-  /// Standard error of the difference of both.
+  /// Standard error of the difference of both measurements.
   double apartSigma_mm() const;
-  /// They differ by more than their own error allows (two standard errors, 95 of 100).
+  /// True if both differ by more than two standard errors (95 % limit).
   bool disagrees() const;
 };
-/// "the live surface lies 4.1 mm outside the MRI's skin (error 0.7): hair, or the alignment is off"; empty
-/// unless they disagree.
+/// Returns "the live surface lies 4.1 mm outside the MRI's skin (error 0.7): hair, or the alignment is off";
+/// empty unless disagrees().
 std::string disagreementInWords(const CoilGap& gap);
 
 }  // namespace facenav::guidance

@@ -10,9 +10,10 @@
 
 namespace facenav::guidance {
 
-/// Throws Error naming file and key: no pulses, a malformed number, or one out of range.
+/// Reads a dose. Throws Error naming file and key if pulses is missing, or a number is malformed or out of
+/// range.
 Dose readDose(const JsonReader& json);
-/// The members to write, in their order; what is not stated is left out.
+/// Returns the members to write, in their order; absent values are left out.
 std::vector<std::pair<std::string, double>> doseNumbers(const Dose& dose);
 
 }  // namespace facenav::guidance

@@ -19,8 +19,8 @@ namespace facenav::guidance {
 struct EegSite {
   std::string name;
   Point<Mri> point;    // on the skin
-  double span_mm = 0;  // the tape in the air over it
-  double sd_mm = 0;    // standard error that the landmarks' errors cause
+  double span_mm = 0;  // height of the tape above the skin there (it spans hollows)
+  double sd_mm = 0;    // standard error caused by the landmarks' errors
 };
 
 struct EegSites {
@@ -28,17 +28,18 @@ struct EegSites {
   double nasion_inion_mm = 0, tragus_tragus_mm = 0;
   double circumference_mm = 0;  // over Fpz, T7, Oz, T8
 
-  /// Throws Error that lists the names. Old names are understood, large and small letters are alike.
+  /// Finds a site by name: current or old name, in any case. Throws Error that lists the names.
   const EegSite& find(const std::string& name) const;
 };
 
-/// Throws Error when a landmark is not known, or the scalp has no skin where a tape should lie.
+/// Places all sites. Throws Error if a landmark is unknown, or if the scalp has no skin where a tape should
+/// lie.
 EegSites placeEegSites(const surface::ScalpPaths& scalp, const surface::ScalpLandmarks& landmarks);
-/// The same with sd_mm: each landmark moved by its standard error along the skin, in two directions. About
-/// nine times the work.
+/// Places all sites and computes sd_mm by moving each landmark by its standard error along the skin, in two
+/// directions. Takes about nine times as long as placeEegSites.
 EegSites placeEegSitesWithErrors(const surface::ScalpPaths& scalp, const surface::ScalpLandmarks& landmarks);
 
-/// The names that find() knows, in the order of EegSites::sites.
+/// Names that find() accepts, in the order of EegSites::sites.
 const std::vector<std::string>& eegSiteNames();
 
 }  // namespace facenav::guidance

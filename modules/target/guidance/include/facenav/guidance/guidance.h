@@ -1,6 +1,6 @@
 #pragma once
-// Guidance: how far the coil is from the target, and what to do next (values of resources/doc/formats.md,
-// guidance.csv). Pure functions of transforms, independent of the trackers.
+// Guidance: how far the coil is from the target, and what to do next (values of guidance.csv,
+// resources/doc/formats.md). Pure functions of transforms, independent of the trackers.
 
 #include <optional>
 #include <string>
@@ -21,40 +21,40 @@ struct GuidanceValues {
   double distance_mm, lateral_mm, depth_mm;  // depth > 0: the coil is too deep; < 0: it is above the scalp
   double tilt_rad, twist_rad;                // twist is signed, about the target's z
   double beam_miss_mm;                       // distance from the cortex point to the coil's z line
-  Eigen::Vector2d lateral_in_target_mm;  // position of the coil relative to the target, in the target's x and
-                                         // y
-  Eigen::Vector2d lateral_in_coil_mm;    // position of the target relative to the coil, in the coil's x and y
-  Eigen::Vector2d tilt_in_coil_rad;      // rotation about the coil's x and y that would align the z axes
+  Eigen::Vector2d lateral_in_target_mm;      // the coil relative to the target, in the target's x and y
+  Eigen::Vector2d lateral_in_coil_mm;        // the target relative to the coil, in the coil's x and y
+  Eigen::Vector2d tilt_in_coil_rad;          // rotation about the coil's x and y that would align the z axes
 };
 
-/// What the instruction tells the user to do; one action at a time.
+/// Action that the instruction asks for; one at a time.
 enum class Action { none, hold, move, lift, press, tilt, turn };
 
-/// Prevents text and state from flickering when a value is close to its limit. The previous state decides.
+/// Prevents text and state from flickering when a value is close to its limit, by use of the previous state.
 struct Hysteresis {
   double release = 1.25;  // "on target" ends above this multiple of a tolerance
-  double change = 1.25;   // another action takes over only if it is worse by this factor
+  double change = 1.25;   // another action replaces the current one only if it is worse by this factor
 };
 
 struct GuidanceState {
   State state = State::lost;
   Action action = Action::none;
   std::optional<LostReason> reason;      // when lost
-  std::optional<GuidanceValues> values;  // empty when lost, so that no old value can be shown
+  std::optional<GuidanceValues> values;  // empty when lost, so that no old value is shown
   double predicted_error_mm = 0.0;
   std::string instruction;  // in words, English source: "move 3 mm to the patient's left", "hold"
 };
 
-/// The values of one pose. The twist comes from the swing-twist decomposition: the rotation about z that
-/// remains after the smallest rotation that aligns the z axes. It is undetermined, and given as 0, if the
-/// coil is upside down.
+/// Computes the guidance values of one pose. The twist comes from the swing-twist decomposition: the rotation
+/// about z that remains after the smallest rotation that aligns the z axes. It is undetermined, and set to 0,
+/// if the coil is upside down.
 GuidanceValues evaluate(const Target& target, const RigidTransform<Mri, Coil>& mri_T_coil);
 
-/// State and instruction from both live poses. Lost if either is lost (the head's reason comes first).
+/// Computes state and instruction from both live poses. Lost if either is lost (the head's reason has
+/// priority).
 GuidanceState evaluate(const Target& target, const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri,
                        const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil, const Tolerance& tolerance,
                        double predicted_error_mm);
-/// The same with hysteresis; `previous` is the state of the previous frame.
+/// As above, with hysteresis; `previous` is the state of the previous frame.
 GuidanceState evaluate(const Target& target, const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri,
                        const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil, const Tolerance& tolerance,
                        double predicted_error_mm, const GuidanceState& previous,

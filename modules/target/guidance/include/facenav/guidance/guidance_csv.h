@@ -21,7 +21,8 @@ struct GuidanceRow {
 };
 
 std::string guidanceCsvHeader();
-/// One line with its newline. The target's name is quoted if it contains a comma, quote or line break.
+/// Formats one line with its newline. The target's name is quoted if it contains a comma, quote or line
+/// break.
 std::string toCsvLine(const GuidanceRow& row);
 /// Writes the file completely or not at all. Throws Error.
 void writeGuidanceCsv(const std::vector<GuidanceRow>& rows, const std::filesystem::path& path);

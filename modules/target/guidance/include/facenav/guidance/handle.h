@@ -8,11 +8,12 @@
 
 namespace facenav::guidance {
 
-/// The direction of handle angle 0.
+/// Direction of handle angle 0.
 enum class HandleReference { anterior, superior };
 
 struct HandleAngle {
-  /// -pi..pi, from the reference, in the plane tangent to the scalp; > 0 turns towards the midline.
+  /// Handle angle from the reference, -pi..pi, in the plane tangent to the scalp; > 0 turns towards the
+  /// midline.
   double angle_rad = 0;
   HandleReference reference = HandleReference::anterior;
 };
@@ -23,26 +24,25 @@ struct HandleAngle {
 /// reference stays anterior. The midline is that of planTarget.
 HandleAngle handleAngle(const Target& target, const surface::ScalpSurface& scalp);
 
-/// Gap for hair: between contact face and the scalp that the plate touches, along the coil's z. The skin
-/// under the coil's centre may lie deeper by target.lift_mm.
+/// Returns the gap kept for hair: between the contact face and the scalp that the plate touches, along the
+/// coil's z. The skin under the coil's centre may lie deeper by target.lift_mm.
 double hairGap_mm(const Target& target);
-/// Gap of the contact face's centre to the skin beneath it: that for hair and target.lift_mm. A gap that is
-/// measured at the coil's centre is compared with this one.
+/// Returns the gap between the contact face's centre and the skin beneath it: hairGap_mm plus target.lift_mm.
+/// Compare a gap measured at the coil's centre with this one.
 double centreGap_mm(const Target& target);
 
-constexpr double kMostHandle_rad = M_PI;  // to either side
-constexpr double kMostGap_mm = 20.0;      // hair, cap and electrodes; largest input of window and command
-                                          // line
+constexpr double kMostHandle_rad = M_PI;  // largest angle to either side
+constexpr double kMostGap_mm = 20.0;      // hair, cap and electrodes; the largest gap that is accepted
 
-/// The target with its handle at a given angle (as in handleAngle); position and axis do not change. Throws
-/// Error beyond kMostHandle_rad.
+/// Returns the target with its handle at a given angle (as in handleAngle); position and axis do not change.
+/// Throws Error beyond kMostHandle_rad.
 Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp, double angle_rad);
-/// The target with another gap, along the coil's z. Throws Error outside 0..kMostGap_mm.
+/// Returns the target with another gap, along the coil's z. Throws Error outside 0..kMostGap_mm.
 Target withHairGap(const Target& target, double gap_mm);
 
-/// The target moved along the scalp by x and y (its own axes, mm). Depth under the scalp, gap, name and note
-/// do not change. The handle keeps its direction: the pose turns by the smallest rotation from the old z to
-/// the new one. Throws like planTarget.
+/// Returns the target moved along the scalp by x and y (its own axes, mm). Depth under the scalp, gap, name
+/// and note do not change. The handle keeps its direction: the pose turns by the smallest rotation from the
+/// old z to the new one. Throws like planTarget.
 Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm);
 
 }  // namespace facenav::guidance

@@ -15,11 +15,11 @@ struct Instruction {
       words;  // English source: "move 3 mm to the patient's left", "tilt the handle side up 4°", "hold"
 };
 
-/// `previous` is the action of the previous frame (none: no hysteresis).
+/// Chooses the next instruction. `previous` is the action of the previous frame (none: no hysteresis).
 Instruction instruct(const Target& target, const GuidanceValues& values, const Tolerance& tolerance,
                      Action previous = Action::none, const Hysteresis& hysteresis = {});
 
-/// What is lost, in words: "the face is not seen", "the coil's marker is not seen".
+/// Describes what is lost: "the face is not seen", "the coil's marker is not seen".
 std::string lossInWords(LostReason reason, bool is_head);
 
 }  // namespace facenav::guidance

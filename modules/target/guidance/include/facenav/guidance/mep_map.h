@@ -1,8 +1,8 @@
 #pragma once
 // MepMap: motor evoked potentials by where the coil pointed, smoothed over a surface: heat map, area, centre
 // of gravity and peak. The map at a vertex is the mean of the MEPs, each weighted by exp(-d^2 / 2 sigma^2) of
-// the straight distance d from its site (kernel regression of Nadaraya and Watson, 1964). Where no site lies
-// near, there is no map. All in Mri mm; MEPs in uV, peak to peak.
+// the straight distance d from its site (kernel regression of Nadaraya and Watson, 1964). Vertices without a
+// site nearby have no value. All in Mri mm; MEPs in uV, peak to peak.
 
 #include <optional>
 #include <vector>
@@ -40,19 +40,20 @@ struct MepMapOptions {
 
 struct MepMap {
   std::vector<float> mep_uv;           // one per vertex; NaN: no site near
-  double area_mm2 = 0;                 // of the surface where the map reaches the threshold
-  Point<Mri> centre_of_gravity;        // of the sites, weighted by MEP (Wassermann et al. 1992)
-  Point<Mri> peak;                     // vertex where the map is largest, no further than sigma from a site
-  double peak_uv = 0, largest_uv = 0;  // of the map; of the single MEPs
+  double area_mm2 = 0;                 // area of the surface where the map reaches the threshold
+  Point<Mri> centre_of_gravity;        // mean of the sites, weighted by MEP (Wassermann et al. 1992)
+  Point<Mri> peak;                     // vertex with the map's largest value, within sigma of a site
+  double peak_uv = 0, largest_uv = 0;  // largest value of the map; largest single MEP
   int sites = 0, responses = 0;        // responses: sites at or above the threshold
 };
 
-/// Nothing where no site gave a response (all MEPs 0) or no vertex lies near one. Takes milliseconds for a
-/// brain model and some hundred sites.
+/// Computes the map. Returns nothing if no site gave a response (all MEPs 0) or no vertex lies near one.
+/// Takes milliseconds for a brain model and some hundred sites.
 std::optional<MepMap> mepMap(const surface::TriangleMesh& surface, const std::vector<MepSite>& sites,
                              const MepMapOptions& options);
 
-/// Where the coil's axis, from its contact face into the head, first meets the surface; nothing if it misses.
+/// Returns where the coil's axis, from its contact face into the head, first meets the surface; nothing if it
+/// misses.
 std::optional<Point<Mri>> axisOnSurface(const surface::TriangleMesh& surface,
                                         const RigidTransform<Mri, Coil>& mri_T_coil);
 

@@ -21,18 +21,18 @@ struct Target {
       mri_T_target;  // Coil convention: +z into the head, +y along the handle's prolongation
   Point<Mri> cortex_point, scalp_point;
   std::string note;
-  double lift_mm = 0;  // the coil's centre above the skin when its plate touches it without hair: a hollow
-  bool is_locked = false;             // it may not be changed
-  std::optional<Dose> dose = {};      // its own; else the case's protocol holds
-  std::optional<GridSpec> grid = {};  // of the grid of which it is the seed
+  double lift_mm = 0;  // height of the coil's centre above the skin while its plate touches it without hair
+  bool is_locked = false;             // a locked target cannot be changed
+  std::optional<Dose> dose = {};      // its own; if absent, the case's protocol applies
+  std::optional<GridSpec> grid = {};  // the grid whose seed it is
   std::optional<GridPlace> grid_place = {};
   std::vector<Change> changes = {};       // oldest first
-  std::optional<ExpertPose> expert = {};  // where an expert held the coil
+  std::optional<ExpertPose> expert = {};  // set if the pose is one that an expert used
 };
 
 struct TreatmentPlan {
   std::vector<Target> targets;
-  /// Throws Error that lists the existing names.
+  /// Finds a target by name. Throws Error that lists the existing names.
   const Target& find(const std::string& name) const;
 };
 
@@ -45,8 +45,8 @@ struct TreatmentPlan {
 Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
                   double handle_angle_rad, double gap_mm = 0.0);
 
-/// Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid matrix, a duplicate
-/// name.
+/// Reads targets.json. Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid
+/// matrix, a duplicate name.
 TreatmentPlan readTargets(const std::filesystem::path& path);
 /// Writes the file completely or not at all. Keys unknown to FaceNav are kept from the replaced file.
 void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path,

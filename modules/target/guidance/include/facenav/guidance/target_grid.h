@@ -1,9 +1,9 @@
 #pragma once
-// A grid of places round a target, on the scalp or on the brain's hull. From the seed, tapes are laid
-// straight ahead and back along the handle, one per row; from each of these places to the left and right, one
-// per column. The handle's direction is carried along each tape (parallel transport), so that it follows the
-// curvature. Spacing is exact along each tape; the columns come closer to each other away from the middle
-// one, as on any curved body: by (distance from it / radius of the head)^2 / 2, 2 % at 15 mm.
+// A grid of points round a target, on the scalp or on the brain's hull. From the seed, tapes are laid
+// straight ahead and back along the handle, one point per row; from each of these to the left and right, one
+// point per column. The handle's direction is carried along each tape (parallel transport), so that it
+// follows the curvature. Spacing is exact along each tape. Away from the middle column, columns come closer
+// to each other, as on any curved body: by (distance from it / radius of the head)^2 / 2, 2 % at 15 mm.
 
 #include <vector>
 
@@ -22,8 +22,8 @@ struct GridPoint {
 /// Throws Error for a grid of fewer than 2 points or more than 15 x 15, or a spacing outside 1..30 mm.
 void requireSensible(const GridSpec& grid);
 
-/// rows x columns places, row by row. `mesh`: the surface of `surface`; `seed_mm`: the seed's place on it,
-/// `axes`: the seed's coil axes. Throws Error where the surface ends.
+/// Returns rows x columns points, row by row. `mesh`: the surface of `surface`; `seed_mm`: the seed's
+/// position on it; `axes`: the seed's coil axes. Throws Error where the surface ends.
 std::vector<GridPoint> gridRound(const surface::ScalpPaths& paths, const surface::TriangleMesh& mesh,
                                  const Eigen::Vector3d& seed_mm, const Eigen::Matrix3d& axes,
                                  const GridSpec& grid);

@@ -1,6 +1,6 @@
 #pragma once
-// What a target carries besides its pose: who changed it and when, its place in a grid of targets, and the
-// session that it was taken from.
+// Properties of a target besides its pose: who changed it and when, its position in a grid of targets, and
+// the session that its pose comes from.
 
 #include <optional>
 #include <string>
@@ -10,17 +10,17 @@ namespace facenav::guidance {
 /// One change of a target.
 struct Change {
   std::string utc;   // 2026-11-23T14:05:09.123Z
-  std::string by;    // who made it; empty: not known
+  std::string by;    // who made it; empty: unknown
   std::string what;  // "planned", "moved", "handle turned"
 };
 
-/// Of a target that is no plan, but where an expert held the coil in a session.
+/// Origin of a target that was not planned: the pose at which an expert held the coil in a session.
 struct ExpertPose {
   std::string session;                   // its name
-  int pulses = 1;                        // the pose is their median
-  double spread_mm = 0, spread_deg = 0;  // medians of distance and angle between the pulses and the pose
-  double predicted_error_mm = 0;  // standard error that the session's alignment predicted there; 0: not known
-  std::string coil;               // its name; empty: not known
+  int pulses = 1;                        // number of pulses; the pose is their median
+  double spread_mm = 0, spread_deg = 0;  // medians of the pulses' distance and angle from the pose
+  double predicted_error_mm = 0;         // standard error predicted by the session's alignment; 0: unknown
+  std::string coil;                      // its name; empty: unknown
 };
 
 enum class GridOn { scalp, cortex };
@@ -36,11 +36,11 @@ struct GridSpec {
   }
 };
 
-/// A target that a grid made.
+/// Position of a target that belongs to a grid.
 struct GridPlace {
   std::string seed;         // name of the target that it belongs to
   int row = 1, column = 1;  // from 1; row 1 is the foremost, column 1 the leftmost seen from above the coil
-  bool is_edited = false;   // by hand: it stays where it is when the seed moves
+  bool is_edited = false;   // edited by hand: it does not move with the seed
 };
 
 }  // namespace facenav::guidance

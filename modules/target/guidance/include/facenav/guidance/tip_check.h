@@ -1,8 +1,8 @@
 #pragma once
-// A check of the alignment that a person can judge: the coil's tip is held to nose or ear, or a spot is
-// picked in a camera picture (a finger's tip at the nose, a mole), and the program says where it is on the
-// MRI's skin. Nothing touches a marker on the head. In: tip or spot (Mri, mm). Out: its distance from the
-// skin and the nearest named place. A person compares that with where it really is.
+// A check of the alignment that a person can judge. The coil's tip is held to nose or ear, or a spot is
+// picked in a camera picture (a fingertip at the nose, a mole); the program shows its position on the MRI's
+// skin. A person compares that with the true position. In: tip or spot (Mri, mm). Out: its distance from the
+// skin and the nearest named place.
 
 #include <optional>
 #include <string>
@@ -19,24 +19,24 @@ struct TipReading {
   surface::SurfacePoint skin;  // nearest to the tip
   double off_skin_mm = 0;      // > 0: outside the head
   std::optional<surface::NamedPlace> nearest;
-  double off_place_mm = 0;  // from the nearest named place
+  double off_place_mm = 0;  // distance from the nearest named place
   What what = What::coil_tip;
-  double sigma_mm = 0;  // of a picked spot's depth
+  double sigma_mm = 0;  // standard error of a picked spot's depth; 0 for the tip
 
-  /// Near enough to the skin to be judged (within kNear_mm).
+  /// True if the tip is near enough to the skin to be judged (within kNear_mm).
   bool isNear() const;
   static constexpr double kNear_mm = 40;
 };
-/// "0.8 mm outside the skin", "1.2 mm inside the skin".
+/// Returns "0.8 mm outside the skin" or "1.2 mm inside the skin".
 std::string skinInWords(const TipReading& reading);
-/// "3.2 mm from nose tip"; empty where no place is known.
+/// Returns "3.2 mm from nose tip"; empty if no place is known.
 std::string placeInWords(const TipReading& reading);
-/// Both: "0.8 mm outside the skin, 3.2 mm from nose tip".
+/// Returns both: "0.8 mm outside the skin, 3.2 mm from nose tip".
 std::string inWords(const TipReading& reading);
 
 class TipCheck {
  public:
-  /// Throws Error for a skin without triangles. `places` may be empty.
+  /// Builds the check. Throws Error for a skin without triangles. `places` may be empty.
   TipCheck(const surface::TriangleMesh& skin, std::vector<surface::NamedPlace> places);
   TipReading read(const Point<Mri>& tip) const;
   const std::vector<surface::NamedPlace>& places() const { return places_; }

@@ -1,5 +1,5 @@
 #pragma once
-// ThresholdRules: the numbers of both ways to find a motor threshold (threshold.h). % is of the maximal
+// ThresholdRules: parameters of both methods to find a motor threshold (threshold.h). % of the maximal
 // stimulator output (MSO).
 
 #include "facenav/core/setting.h"

@@ -1,5 +1,5 @@
 #pragma once
-// ClickRules: what the click of a stimulating coil is in a sound, for the source "sound:".
+// ClickRules: criteria for the click of a stimulating coil in a sound, for the source "sound:".
 
 #include "facenav/core/setting.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// PulseDeadTimes: how soon a second trigger of a source is a pulse and not a bounce. Trains have pulses 100
-// ms (10 Hz), 50 ms (20 Hz) and, in theta bursts, 20 ms apart (50 Hz), and arrive up to 16 ms apart from
-// their time over a USB adapter. So only what a hand or foot presses may wait longer than a few milliseconds.
+// PulseDeadTimes: by source, the time within which a second trigger is a bounce and not a pulse. Trains have
+// pulses 100 ms (10 Hz), 50 ms (20 Hz) and, in theta bursts, 20 ms apart (50 Hz); over a USB adapter they
+// arrive up to 16 ms late. So only keys and pedals may have a dead time of more than a few milliseconds.
 
 #include "facenav/core/setting.h"
 

@@ -13,10 +13,10 @@ struct PulseTrigger {
   std::string source = "keyboard";
   Timestamp at = Timestamp::now();  // steady clock
   std::chrono::system_clock::time_point utc = std::chrono::system_clock::now();
-  /// A second trigger of the same source within this time is a bounce, not a pulse. It must be shorter than
+  /// Time within which a second trigger of the same source is a bounce, not a pulse. It must be shorter than
   /// the time between the pulses of a train.
   double dead_time_s = 0.15;
-  std::optional<double> intensity_pct = {};  // of the maximal output, where the source knows it
+  std::optional<double> intensity_pct = {};  // % of the maximal output, if the source sends it
 };
 
 }  // namespace facenav::links

@@ -1,11 +1,11 @@
 #pragma once
-// DriftCheck: does the face still lie where it is tracked? It measures the face densely in the plain pair
-// (from the skin's own texture; no dots are needed) and fits it, with 6 degrees of freedom, to the MRI's skin
-// at the tracked pose. The tracker uses the skin's appearance, this check its shape, so they do not share
-// errors: wrong key frames, skin that moved, a head recovered in a wrong place.
+// DriftCheck: tests whether the face is still where it is tracked. It measures the face densely in the plain
+// pair (from the skin's own texture; no dots are needed) and fits it, with 6 degrees of freedom, to the MRI's
+// skin at the tracked pose. The tracker uses the skin's appearance, this check its shape, so they do not
+// share errors: wrong key frames, skin that moved, a head recovered in a wrong place.
 // Data flow: StereoFrame + tracked camera_T_mri -> DriftFinding. The misfit between skin and MRI, and the
-// bias of stereo without dots, are measured once in the reference pair and subtracted. So an alignment that
-// is wrong agrees with itself. Only a head that moved before the reference pair shows, in atReference().
+// bias of stereo without dots, are measured once in the reference pair and subtracted. So the check cannot
+// detect a wrong alignment, except for a head that moved before the reference pair: see atReference().
 
 #include <memory>
 #include <mutex>
@@ -21,7 +21,7 @@
 namespace facenav::monitoring {
 
 struct DriftFinding {
-  enum class Verdict { agrees, drifted, unknown };  // unknown: too little of the face was measured
+  enum class Verdict { agrees, drifted, unknown };  // unknown: too few points on the face
   Verdict verdict = Verdict::unknown;
   double shift_mm = 0.0,
          turn_deg = 0.0;  // measured face relative to the tracked face, at its centre
@@ -31,22 +31,24 @@ struct DriftFinding {
 
 class DriftCheck {
  public:
-  /// `reference`: with the surface that was aligned. `camera_T_mri`: the alignment, at that frame.
+  /// Builds the check. `reference`: with the surface that was aligned. `camera_T_mri`: the alignment, at that
+  /// frame.
   DriftCheck(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
              const head_tracking::HeadReference& reference, const RigidTransform<Camera, Mri>& camera_T_mri);
 
-  /// The reference pair itself: the offset that all later measurements leave out. `drifted`, by narrower
-  /// limits than theirs: the head moved between the picture that was aligned and the reference.
+  /// Finding in the reference pair itself: the offset that is subtracted from all later measurements.
+  /// `drifted`, by narrower limits than theirs, means that the head moved between the aligned picture and the
+  /// reference.
   const DriftFinding& atReference() const { return at_reference_; }
-  /// Takes some 40 ms. Const, and safe to call beside other threads.
+  /// Measures a frame in some 40 ms. Const, and safe to call beside other threads.
   DriftFinding measure(const cameras::StereoFrame& frame,
                        const RigidTransform<Camera, Mri>& camera_T_mri) const;
-  /// How the cameras stand in the frames to come; at first as in the rig.
+  /// Sets the right camera's pose for the next frames; the rig's own at first.
   void moveRight(const RigidTransform<RightCamera, Camera>& right_T_left);
 
  private:
-  /// The reference's skin on a grid of the left reference image: where it shows skin, and how far that lies
-  /// outside the MRI's skin.
+  /// Map of the reference's skin on a grid of the left reference image: where skin was measured, and how far
+  /// it lies outside the MRI's skin.
   struct SkinMap {
     int columns = 0, rows = 0;
     std::vector<float> misfit_mm;  // NaN: no skin was aligned there
@@ -58,7 +60,7 @@ class DriftCheck {
     Matrix6d covariance = Matrix6d::Zero();
     int points = 0;
   };
-  /// One measured point, with the skin misfit of the reference at that place.
+  /// One measured point, with the reference's skin misfit at that point.
   struct Sample {
     Eigen::Vector3d p_mm;  // Camera
     Eigen::Vector2f left_px;
@@ -74,7 +76,7 @@ class DriftCheck {
 
   cameras::StereoRig rig_;
   mutable std::mutex moving_;
-  RigidTransform<RightCamera, Camera> right_T_left_;  // under moving_
+  RigidTransform<RightCamera, Camera> right_T_left_;  // used under moving_
   std::shared_ptr<const registration::ScalpField> scalp_;
   Eigen::Isometry3d mri_T_head_;
   std::vector<Eigen::Vector3d> surface_mm_;  // sample of the reference's surface, Head

@@ -1,8 +1,8 @@
 #pragma once
-// DriftWatchdog: measures the face (drift_check.h) about once a second beside the tracking. It raises an
-// alarm when two checks in a row find the face elsewhere than tracked; the alarm lasts until a check agrees.
-// Live, it uses its own thread and never delays a frame. In recordings it measures inline, and its answer
-// counts after a fixed delay, so that the same recording always gives the same poses.
+// DriftWatchdog: runs drift_check.h about once a second in parallel with the tracking. It raises an alarm
+// when two checks in a row find the face elsewhere than tracked; the alarm lasts until a check agrees. Live,
+// it uses its own thread and never delays a frame. In recordings it measures inline and applies the result
+// after a fixed delay, so that the same recording always gives the same poses.
 
 #include <functional>
 #include <memory>
@@ -28,16 +28,17 @@ class DriftWatchdog {
   using Mode = Checks::Mode;
 
   static constexpr double kInterval_s = 1.0;
-  static constexpr double kRecheck_s = 0.25;  // after an uncertain answer, or after the head was lost
-  static constexpr double kAnswer_s = 0.1;  // inline: delay from the frame's capture until the answer counts
+  static constexpr double kRecheck_s = 0.25;  // after an uncertain result, or after the head was lost
+  static constexpr double kAnswer_s = 0.1;    // inline: delay from the frame's capture to the result
 
   DriftWatchdog(Measure measure, Mode mode);
 
-  /// Call for each frame: with the tracked pose, shown or not, or without a pose where the head is lost.
+  /// Adds a frame, with the tracked pose, shown or not, or without a pose where the head is lost. Call it for
+  /// each frame.
   void add(std::shared_ptr<const cameras::StereoFrame> frame,
            const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri);
   bool isAlarmed() const { return is_alarmed_; }
-  /// The last answer.
+  /// Result of the last check.
   const DriftFinding& finding() const { return finding_; }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// PoseTrust: may the poses of this frame be shown? It gathers what is known of the cameras (health/), of
-// drift, of the registration and of a person's judgement, and gives one answer for head and coil together.
-// The navigator asks once a frame.
+// PoseTrust: decides whether the poses of this frame may be shown. It combines the state of the cameras
+// (health/), drift, the registration check and a person's judgement into one answer for head and coil. The
+// navigator asks once a frame.
 
 #include <memory>
 #include <optional>
@@ -18,38 +18,39 @@ class PoseTrust {
  public:
   explicit PoseTrust(const cameras::StereoRig& rig) : rig_(rig) {}
 
-  /// The pair that tracking starts from.
+  /// Sets the pair that tracking starts from.
   void start(const head_tracking::HeadReference& reference) {
     rig_.start(reference.frame, reference.surface, reference.surface_left_px);
   }
-  /// Null: no watchdog, no check.
+  /// Sets the watchdog; null: no check.
   void setWatchdog(std::unique_ptr<DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
   void setCheck(std::unique_ptr<RegistrationCheck> check) { check_ = std::move(check); }
 
-  /// Checks the registration on the next frames. False: there is nothing to check. After a failed check the
-  /// head is withheld until one passes; with `is_withheld_until` already from now on.
+  /// Checks the registration on the next frames. Returns false if there is nothing to check. The head is
+  /// withheld after a failed check until one passes; with `is_withheld_until` from now on.
   bool checkRegistration(bool is_withheld_until);
-  /// A check cannot lift this judgement: it compares the face with the alignment itself.
+  /// Sets a person's judgement. A check cannot revoke it, because it compares the face with the alignment
+  /// itself.
   void judgeAlignment(bool is_wrong) { is_judged_wrong_ = is_wrong; }
 
-  /// What the trackers measured of the cameras in this frame.
+  /// Adds the trackers' measurements of the cameras in this frame.
   void addCameras(const cameras::StereoFrame& frame, const Tracked<head_tracking::HeadPose>& head,
                   const coil_tracking::CoilResult& coil);
-  /// The face and where it is tracked, shown or not; without a pose where the head is lost. Slow work is done
-  /// beside the frames.
+  /// Adds the frame and its tracked head pose, shown or not; without a pose where the head is lost. Slow work
+  /// runs in parallel.
   void addFace(const std::shared_ptr<const cameras::StereoFrame>& frame,
                const Tracked<head_tracking::HeadPose>& head,
                const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri);
-  /// As of the frame that was added last. Empty: the poses may be shown.
+  /// Reason why the poses of the last added frame are withheld; empty: they may be shown.
   std::optional<Withheld> withheld(const cameras::StereoFrame& frame) const;
 
   const health::RigHealth& rig() const { return rig_; }
-  /// The newest finding of a check; null: none was made.
+  /// Newest finding of a check; null: none was made.
   const std::shared_ptr<const RegistrationFinding>& finding() const { return finding_; }
   bool hasWatchdog() const { return watchdog_ != nullptr; }
-  /// The watchdog's alarm began with the frame that was added last.
+  /// True if the watchdog's alarm began with the last added frame.
   bool hasNewAlarm() const { return has_new_alarm_; }
-  /// What was learnt of the face may belong to a wrong place of the MRI.
+  /// True if key frames learnt in this session may refer to a wrong place of the MRI.
   bool isAlignmentInDoubt() const;
 
  private:
@@ -65,7 +66,7 @@ class PoseTrust {
   bool is_judged_wrong_ = false, has_new_alarm_ = false;
 };
 
-/// What withholds the poses of a frame without pictures; empty: its source does not say why there are none.
+/// Reason to withhold the poses of a frame without pictures; empty if its source gives none.
 std::optional<Withheld> withheldByAbsence(const cameras::StereoFrame& frame);
 
 }  // namespace facenav::monitoring

@@ -1,8 +1,8 @@
 #pragma once
-// RegistrationCheck: is the MRI still aligned with the face? Asked for by a person, or before a session goes
-// on: for about two seconds it measures the face densely against the scalp at the tracked pose
-// (drift_check.h), some five times, and says what most of the measurements say. It uses fresh frames and its
-// own thread, and never delays a frame; the watchdog goes on beside it.
+// RegistrationCheck: tests whether the MRI is still aligned with the face, on request of a person or before a
+// session continues. For about two seconds it measures the face densely against the scalp at the tracked pose
+// (drift_check.h), some five times, and returns the majority's result. It uses fresh frames and its own
+// thread, and never delays a frame; the watchdog continues beside it.
 
 #include <memory>
 #include <optional>
@@ -38,18 +38,18 @@ struct RegistrationCheckRules {
 };
 
 struct RegistrationFinding {
-  /// agrees: passed. unknown: too little of the face was measured.
+  /// agrees: passed. unknown: too few points on the face.
   DriftFinding::Verdict verdict = DriftFinding::Verdict::unknown;
-  double shift_mm = 0, turn_deg = 0;  // medians of the measurements that say something
-  int measurements = 0;               // these
-  int number = 0;                     // of the check in its session, from 1
+  double shift_mm = 0, turn_deg = 0;  // medians of the measurements that are not unknown
+  int measurements = 0;               // number of those
+  int number = 0;                     // number of the check in its session, from 1
 
   bool hasPassed() const { return verdict == DriftFinding::Verdict::agrees; }
 };
-/// "passed: face 0.4 mm and 0.2 deg from where the MRI's is, 5 measurements".
+/// Returns "passed: face 0.4 mm and 0.2 deg from where the MRI's is, 5 measurements".
 std::string inWords(const RegistrationFinding& finding);
-/// What most measurements say: at least `kLeastAgreeing` that agree and more than have drifted, or the other
-/// way round.
+/// Majority of the measurements: at least `kLeastAgreeing` that agree and more than have drifted, or the
+/// reverse.
 RegistrationFinding findingOf(const std::vector<DriftFinding>& measurements);
 constexpr int kLeastAgreeing = 2;
 
@@ -57,17 +57,18 @@ class RegistrationCheck {
  public:
   RegistrationCheck(DriftWatchdog::Measure measure, DriftWatchdog::Mode mode);
 
-  /// Begins; once more, if one runs.
+  /// Begins a check; restarts a running one.
   void begin();
   bool isRunning() const { return is_running_; }
-  /// Call for each frame: with the tracked pose, shown or not, or without a pose where the head is lost.
+  /// Adds a frame, with the tracked pose, shown or not, or without a pose where the head is lost. Call it for
+  /// each frame.
   void add(std::shared_ptr<const cameras::StereoFrame> frame,
            const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri);
-  /// The finding, once, when the check is done.
+  /// Returns the finding, once, when the check is done.
   std::optional<RegistrationFinding> take();
 
  private:
-  static constexpr std::size_t kEnough = 5;  // measurements that say something
+  static constexpr std::size_t kEnough = 5;  // measurements that are not unknown
 
   DriftWatchdog::Checks checks_;
   bool is_running_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// RigObserver: turns what the trackers measured in a frame into an observation of the cameras
+// RigObserver: turns the trackers' measurements in a frame into an observation of the cameras
 // (health/observation.h). Features of the face are matched again without use of the epipolar line.
 
 #include "facenav/cameras/stereo_frame.h"
@@ -11,7 +11,7 @@ namespace facenav::monitoring {
 
 class RigObserver {
  public:
-  /// Of each frame in turn.
+  /// Makes the observation of a frame; call it for each frame in turn.
   health::RigObservation observe(const cameras::StereoFrame& frame,
                                  const Tracked<head_tracking::HeadPose>& head,
                                  const coil_tracking::CoilResult& coil);

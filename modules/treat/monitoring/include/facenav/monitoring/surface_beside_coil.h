@@ -1,9 +1,9 @@
 #pragma once
-// SurfaceBesideCoil: how high the live surface (skin or hair) lies above the MRI's skin, measured by dense
-// stereo in the plain pair in a band around the coil's plate. It tells whether the gap that both poses give
-// is the true one: the poses share the alignment's error, this measurement does not. Data flow: StereoFrame +
-// camera_T_mri + camera_T_coil -> BesideCoilFinding. BesideCoilWatch asks about once a second, on its own
-// thread, and never delays a frame.
+// SurfaceBesideCoil: measures how high the live surface (skin or hair) lies above the MRI's skin, by dense
+// stereo in the plain pair in a band around the coil's plate. It verifies the gap computed from both poses:
+// the poses share the alignment's error, this measurement does not. Data flow: StereoFrame + camera_T_mri +
+// camera_T_coil -> BesideCoilFinding. BesideCoilWatch measures about once a second, on its own thread, and
+// never delays a frame.
 
 #include <Eigen/Core>
 #include <functional>
@@ -29,16 +29,16 @@ struct BesideCoilFinding {
 
 class SurfaceBesideCoil {
  public:
-  /// `outline_mm`: the contact face's closed outline in Coil x and y.
+  /// Builds the measurement. `outline_mm`: the contact face's closed outline in Coil x and y.
   SurfaceBesideCoil(const cameras::StereoRig& rig, std::shared_ptr<const registration::ScalpField> scalp,
                     std::vector<Eigen::Vector2d> outline_mm);
 
-  /// Takes 0.1 to 0.3 s. Const, and safe to call beside other threads.
+  /// Measures a frame in 0.1 to 0.3 s. Const, and safe to call beside other threads.
   BesideCoilFinding measure(const cameras::StereoFrame& frame,
                             const RigidTransform<Camera, Mri>& camera_T_mri,
                             const RigidTransform<Camera, Coil>& camera_T_coil) const;
 
-  // The band around the plate in which the surface is measured, and how high above the MRI's skin it may be.
+  // Band around the plate in which the surface is measured, and its largest height above the MRI's skin.
   static constexpr double kNearest_mm = 5, kFarthest_mm = 45, kReach_mm = 14;
 
  private:
@@ -55,10 +55,10 @@ class SurfaceBesideCoil {
   cameras::StereoRig rig_;
   std::shared_ptr<const registration::ScalpField> scalp_;
   std::vector<Eigen::Vector2d> outline_mm_;
-  std::vector<std::size_t> sample_;  // points of the scalp that stand for it, some millimetres apart
+  std::vector<std::size_t> sample_;  // sampled points of the scalp, some millimetres apart
 };
 
-/// Asks while head and coil are tracked; its finding holds while the coil stays about where it was.
+/// Measures while head and coil are tracked; its finding is valid while the coil stays about where it was.
 class BesideCoilWatch {
  public:
   struct Question {
@@ -76,14 +76,14 @@ class BesideCoilWatch {
   using Mode = Checks::Mode;
 
   static constexpr double kInterval_s = 1.0, kAnswer_s = 0.1;
-  static constexpr double kHolds_s = 4.0, kHolds_mm = 10.0;  // a finding is dropped after this
+  static constexpr double kHolds_s = 4.0, kHolds_mm = 10.0;  // limits after which a finding is dropped
 
   BesideCoilWatch(Measure measure, Mode mode);
-  /// Call for each frame with both poses, or with none where one is lost.
+  /// Adds a frame with both poses, or with none where one is lost. Call it for each frame.
   void add(std::shared_ptr<const cameras::StereoFrame> frame,
            const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri,
            const std::optional<RigidTransform<Camera, Coil>>& camera_T_coil);
-  /// The newest finding that still holds.
+  /// Newest finding that is still valid.
   const std::optional<BesideCoilFinding>& finding() const { return shown_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Withheld: the one reason why poses are not shown although they may have been measured. A value: the words
-// for the banner, the log and poses.csv are made from it where they are needed.
+// Withheld: the one reason why measured poses are not shown. A value: banner, log and poses.csv derive their
+// words from it.
 
 #include <string>
 
@@ -11,7 +11,7 @@ namespace facenav::monitoring {
 struct Withheld {
   enum class Source { cameras, drift, registration_check, person };
   enum class Reason {
-    camera_fault,         // `rig` says which
+    camera_fault,         // details in `rig`
     drifted,              // the face is no longer where tracking places it
     not_checked,          // the registration must pass a check first
     registration_failed,  // its last check failed
@@ -22,17 +22,20 @@ struct Withheld {
   health::RigVerdict rig = {};            // source cameras
   double shift_mm = 0.0, turn_deg = 0.0;  // registration_failed: how far the face is off
 
-  /// A fault of the cameras makes the coil's pose wrong as well; every other reason is about the head alone.
+  /// True for a fault of the cameras: it makes the coil's pose wrong as well. Every other reason concerns the
+  /// head alone.
   bool isOfCameras() const { return source == Source::cameras; }
-  /// It lasts until the registration passes a check, or until the head is aligned again.
+  /// True if the reason lasts until the registration passes a check, or until the head is aligned again.
   bool isOfAlignment() const { return source == Source::registration_check || source == Source::person; }
 };
 
-/// For the banner, with what to do: "REGISTRATION FAILED: the face is 2.1 mm and 0.3 deg off, align again".
+/// Text for the banner, with what to do: "REGISTRATION FAILED: the face is 2.1 mm and 0.3 deg off, align
+/// again".
 std::string bannerOf(const Withheld& withheld);
-/// For the banner, of a fault of the cameras alone: "CAMERAS MOVED: calibrate them again". Empty: no fault.
+/// Text for the banner, for a fault of the cameras alone: "CAMERAS MOVED: calibrate them again". Empty: no
+/// fault.
 std::string bannerOf(health::RigState state);
-/// For poses.csv: "cameras_moved", "other_rig", "camera_away", "swapped", "out_of_step", "drift",
+/// Word for poses.csv: "cameras_moved", "other_rig", "camera_away", "swapped", "out_of_step", "drift",
 /// "not_checked".
 std::string wordOf(const Withheld& withheld);
 

@@ -1,7 +1,7 @@
 #pragma once
-// EvidenceKeeper: keeps both pictures of each pulse's frame (casefile/evidence.h), on its own thread behind a
-// bounded queue: neither tracking nor the pulses wait for it. A full disk ends nothing: it is said by
-// failure(), the pictures of that time are left out and counted, and later ones are kept again.
+// EvidenceKeeper: stores both pictures of each pulse's frame (casefile/evidence.h), on its own thread behind
+// a bounded queue: neither tracking nor the pulses wait for it. With a full disk the session continues:
+// failure() returns the fault, pictures are left out and counted until there is space again.
 
 #include <filesystem>
 #include <memory>
@@ -16,20 +16,20 @@ namespace facenav::session {
 class EvidenceKeeper {
  public:
   EvidenceKeeper(const std::filesystem::path& session_folder, const cameras::StereoRig& rig);
-  /// Writes what still waits.
+  /// Writes what is queued.
   ~EvidenceKeeper();
   EvidenceKeeper(const EvidenceKeeper&) = delete;
   EvidenceKeeper& operator=(const EvidenceKeeper&) = delete;
 
-  /// A new frame with its pictures; returns at once.
+  /// Adds a frame with its pictures; returns at once.
   void follow(const NavigationState& state);
-  /// A pulse with its frames: the pictures of the nearer one are kept. Returns at once.
+  /// Adds a pulse with its frames; the nearer one's pictures are stored. Returns at once.
   void add(const casefile::Pulse& pulse);
-  /// Frames on the disk.
+  /// Number of frames on the disk.
   int kept() const;
-  /// Frames that were left out: the queue or the disk was full, or the frame was gone.
+  /// Number of frames left out: the queue or the disk was full, or the frame was gone.
   int leftOut() const;
-  /// Why pictures cannot be written now; empty: they can.
+  /// Fault that prevents writing now; empty: none.
   std::string failure() const;
 
  private:

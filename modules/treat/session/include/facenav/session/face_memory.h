@@ -1,5 +1,5 @@
 #pragma once
-// Key frames of the patient's face between sessions. The case keeps them relative to the MRI
+// Converts key frames of the patient's face between sessions. The case stores them relative to the MRI
 // (casefile/face_looks.h); the tracker needs them relative to this session's head
 // (head_tracking/face_key_frame.h).
 
@@ -10,8 +10,9 @@
 
 namespace facenav::session {
 
-/// `head_T_mri`: this session's alignment; Head = Camera at the reference. Both sessions' alignments err by
-/// some tenths of a millimetre, so each key frame also states that error (between_sessions).
+/// Converts stored key frames for the tracker. `head_T_mri`: this session's alignment; Head = Camera at the
+/// reference. Both sessions' alignments have errors of some tenths of a millimetre, so each key frame also
+/// gets that error (between_sessions).
 std::vector<head_tracking::FaceKeyFrame> asTracked(const std::vector<casefile::StoredKeyFrame>& key_frames,
                                                    const RigidTransform<Head, Mri>& head_T_mri);
 std::vector<casefile::StoredKeyFrame> asKept(const std::vector<head_tracking::FaceKeyFrame>& key_frames,

@@ -32,7 +32,7 @@ struct NavigationState {
   std::int64_t frame = -1;  // -1: none yet
   Timestamp captured;       // the source's clock
   Timestamp arrived;        // steady clock, when the frame arrived
-  Timestamp taken;          // steady clock, when the frame was captured; of a recording: when it was played
+  Timestamp taken;          // steady clock: capture of the frame; for a recording, its playback
   std::shared_ptr<const cameras::StereoFrame> images;
 
   Tracked<head_tracking::HeadPose> head = Lost{LostReason::stale};
@@ -41,16 +41,16 @@ struct NavigationState {
   Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
 
   cameras::ExposureOffset exposure_offset;      // between the cameras, as known at this frame
-  std::array<double, 2> row_times_s{0.0, 0.0};  // rolling shutter of left and right camera, likewise; 0: none
+  std::array<double, 2> row_times_s{0.0, 0.0};  // rolling shutter, left and right camera; 0: none
 
   bool is_aligned = false;  // false: camera_T_mri is never tracked
   std::string target;       // name; empty: none chosen
-  std::string coil_name;    // of the coil that is followed: the pose of `coil` is that of no other one
-  /// The same target as it was at this frame; null: none.
+  std::string coil_name;    // name of the tracked coil, to which the pose of `coil` belongs
+  /// Copy of the target as it was at this frame; null: none.
   std::shared_ptr<const ChosenTarget> chosen;
-  /// Between the contact face and the head, as both poses and the cameras give it; empty when lost.
+  /// Gap between the contact face and the head, by both poses and by the cameras; empty when lost.
   guidance::CoilGap gap;
-  /// That guidance used.
+  /// Tolerance that guidance used.
   guidance::Tolerance tolerance;
   guidance::GuidanceState guidance;
 
@@ -59,37 +59,37 @@ struct NavigationState {
   std::uint64_t dropped = 0;   // frames overwritten before they were tracked, since the start
   head_tracking::LossDetail head_detail =
       head_tracking::LossDetail::unknown;  // why the head is lost, as far as known
-  /// Why poses are not shown: of the head, or of head and coil where it is a fault of the cameras.
+  /// Reason why poses are not shown: the head's, or both for a fault of the cameras.
   std::optional<monitoring::Withheld> withheld;
-  /// A camera moved on its mount, and the poses are corrected for it.
+  /// Set if a camera moved on its mount and the poses are corrected for it.
   std::optional<health::CorrectedMotion> rig_correction;
-  /// The newest check of the registration in this session; null: none was made.
+  /// Newest check of the registration in this session; null: none was made.
   std::shared_ptr<const monitoring::RegistrationFinding> check;
-  std::string failure;  // an Error that ended the session, in words
+  std::string failure;  // message of an Error that ended the session
 };
 
-/// The fault of the cameras that withholds every pose; empty: none does.
+/// Fault of the cameras that withholds every pose; empty: none.
 std::optional<health::RigVerdict> rigFault(const NavigationState& state);
-/// A camera is unplugged or silent; rigFault() says which and why.
+/// True if a camera is unplugged or silent; rigFault() returns which and why.
 bool isCameraAway(const NavigationState& state);
 
-/// The same state with every pose lost for `reason` and guidance blanked. The images stay and can be shown.
+/// Returns the state with every pose lost for `reason` and guidance blanked. The images stay and can be
+/// shown.
 NavigationState blanked(const NavigationState& state, LostReason reason);
 
-/// One word for poses.csv that says more than the reason why the head is lost ("covered", "drift",
-/// "cameras_moved"). Empty if the head is tracked or nothing more is known.
+/// Word for poses.csv, finer than the reason, why the head is lost ("covered", "drift", "cameras_moved").
+/// Empty if the head is tracked or nothing more is known.
 std::string lossWord(const NavigationState& state);
 
-/// What to tell the user when something is lost, head first: "FACE HIDDEN: move the coil or hand aside".
-/// Empty when both are tracked.
+/// Message when something is lost, head first: "FACE HIDDEN: move the coil or hand aside". Empty when both
+/// are tracked.
 std::string lossInWords(const NavigationState& state);
 
-/// The same for head or coil alone, whatever the state of the other. Empty if it is tracked.
+/// Message for head or coil alone, whatever the state of the other. Empty if it is tracked.
 std::string headLossInWords(const NavigationState& state);
 std::string coilLossInWords(const NavigationState& state);
 
-/// Titles of all that is lost, head first: "FACE COVERED", "COIL NOT SEEN". A cause common to both is named
-/// once.
+/// Titles of all lost objects, head first: "FACE COVERED", "COIL NOT SEEN". A common cause is named once.
 std::vector<std::string> lossTitles(const NavigationState& state);
 
 }  // namespace facenav::session

@@ -19,7 +19,7 @@ namespace facenav::session {
 struct NavigatorSetup {
   cameras::StereoRig rig;
   head_tracking::HeadReference reference;
-  /// At the moment of the reference frame. Empty: the head is tracked, but not placed in the MRI.
+  /// Alignment at the time of the reference frame. Empty: the head is tracked, but not placed in the MRI.
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri_at_reference;
   coil_tracking::CoilModel coil;
   guidance::Tolerance tolerance;
@@ -27,9 +27,9 @@ struct NavigatorSetup {
   std::shared_ptr<const registration::ScalpField> scalp = nullptr;
   /// The coil's contact outline; around it the live surface is measured, while `pace` is live.
   guidance::CoilPlate plate = guidance::figureOfEight();
-  /// For work that takes longer than a frame: the drift watchdog, recovery of a lost face.
+  /// Schedule of work that takes longer than a frame: the drift watchdog, recovery of a lost face.
   head_tracking::Pace pace = head_tracking::Pace::as_live;
-  /// The patient's face in earlier sessions; used where the head is placed in the MRI.
+  /// Key frames of the patient's face from earlier sessions; used if the head is placed in the MRI.
   std::vector<casefile::StoredKeyFrame> key_frames = {};
 };
 
@@ -45,30 +45,30 @@ class Navigator {
             std::unique_ptr<coil_tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
-  /// Another coil is followed from the next frame on. Throws Error as CoilTracker::start does.
+  /// Sets the coil that is tracked from the next frame on. Throws Error as CoilTracker::start does.
   void setCoil(const coil_tracking::CoilModel& coil);
   /// Replaces the watchdog made from the setup's scalp; null: no watchdog.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) {
     trust_.setWatchdog(std::move(watchdog));
   }
-  /// Checks the registration on the next frames; NavigationState::check tells the finding. After a failed
-  /// check every pose of the head is withheld until one passes; with `is_withheld_until` already from now on.
-  /// False: without an alignment to a scalp there is nothing to check.
+  /// Checks the registration on the next frames; NavigationState::check is the finding. Every pose of the
+  /// head is withheld after a failed check until one passes; with `is_withheld_until` from now on. Returns
+  /// false without an alignment to a scalp: there is nothing to check.
   bool checkRegistration(bool is_withheld_until = false);
-  /// A person's judgement of the alignment. While it is wrong, every pose of the head is withheld: a check of
-  /// the registration cannot lift it, because that compares the face with the alignment itself.
+  /// Sets a person's judgement of the alignment. While it is wrong, every pose of the head is withheld. A
+  /// check of the registration cannot revoke it, because it compares the face with the alignment itself.
   void judgeAlignment(bool is_wrong) { trust_.judgeAlignment(is_wrong); }
   /// Replaces the check made from the setup's scalp; null: none.
   void setCheck(std::unique_ptr<monitoring::RegistrationCheck> check) { trust_.setCheck(std::move(check)); }
   /// Replaces the measurement of the surface beside the coil; null: none.
   void setGapWatch(std::unique_ptr<monitoring::BesideCoilWatch> watch) { gap_watch_ = std::move(watch); }
   const cameras::StereoRig& rig() const { return rig_; }
-  /// Key frames of the patient's face from this session, to be saved with the case; empty without an
-  /// alignment, and where that is in doubt: judged wrong, a failed check, a drift.
+  /// Key frames of the patient's face from this session, to be saved with the case. Empty without an
+  /// alignment, or if it is in doubt: judged wrong, a failed check, a drift.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
-  /// Poses and guidance of one frame. A frame without images, or of another size than the rig's, is lost
-  /// ("camera"), and so is one whose source knows a fault of its cameras (StereoFrame::rig_fault). After
-  /// cameras were away, the head is withheld until the registration is checked.
+  /// Computes poses and guidance of one frame. A frame without images, or of another size than the rig's, is
+  /// lost ("camera"), and so is one whose source reports a fault of its cameras (StereoFrame::rig_fault).
+  /// After a camera was away, the head is withheld until the registration is checked.
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
@@ -89,10 +89,10 @@ class Navigator {
   std::unique_ptr<monitoring::BesideCoilWatch> gap_watch_;  // null: none
   std::unique_ptr<head_tracking::HeadTracker> head_;
   std::unique_ptr<coil_tracking::CoilTracker> coil_;
-  FrameWork coil_deferred_;          // work deferred by the last frame to the next one
-  bool was_away_ = false;            // a camera, until the newest frame
+  FrameWork coil_deferred_;          // work deferred from the last frame to the next one
+  bool was_away_ = false;            // true if a camera was away before the newest frame
   bool is_learnt_in_doubt_ = false;  // passed to the head's tracker with the next frame
-  /// Null: none.
+  /// The chosen target; null: none.
   std::shared_ptr<const ChosenTarget> target_;
   guidance::GuidanceState previous_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Where the coil was at a pulse: the poses of the frames before and after it, interpolated to its own time,
-// and judged against the target as it was then. Pure functions.
+// Pose of the coil at a pulse: the poses of the frames before and after it, interpolated to its own time, and
+// compared with the target as it was then. Pure functions.
 
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@ namespace facenav::session {
 
 using links::PulseTrigger;
 
-/// What a pulse needs of a frame; without its images.
+/// The part of a frame's state that a pulse needs; without its images.
 struct PosedFrame {
   std::int64_t frame = -1;
   Timestamp captured, taken;  // source's clock, steady clock
@@ -22,28 +22,28 @@ struct PosedFrame {
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
   std::shared_ptr<const ChosenTarget> chosen;
   guidance::Tolerance tolerance;
-  std::string loss;  // what is lost, in words: "face covered"; empty if nothing is
-  std::string coil;  // name of the coil that was followed
+  std::string loss;                                // what is lost: "face covered"; empty if nothing is
+  std::string coil;                                // name of the tracked coil
   std::optional<guidance::LiveSurface> live = {};  // beside the coil
 };
 PosedFrame posedFrame(const NavigationState& state);
 
-/// Frames further apart say too little of the moment between them.
+/// Largest time between two frames for interpolation.
 constexpr double kLongestBetweenFrames_s = 0.25;
-/// The frame after a pulse arrives within this time, or its pose is lost: a frame's interval, the exposure,
-/// and the latency of cameras and tracking. A frame that arrives ends the wait.
+/// Longest wait for the frame after a pulse: a frame's interval, the exposure, and the latency of cameras and
+/// tracking. Without that frame the pulse's pose is lost.
 constexpr double kLongestWait_s = 0.5;
 
-/// A pulse is outside where the gap to the skin exceeds the planned one (centreGap_mm) by more (12 % of the
-/// field, at 4 % a mm), and where the alignment's predicted error at the target is larger: as large as the
-/// lateral tolerance, it cannot be told whether the coil was on target.
+/// Limits of a pulse on target: gap to the skin beyond the planned one (centreGap_mm; 3 mm cost 12 % of the
+/// field, at 4 % a mm), and the alignment's predicted error at the target. A predicted error as large as the
+/// lateral tolerance leaves open whether the coil was on target.
 constexpr double kMostGapBeyondPlan_mm = 3.0, kMostPredictedError_mm = 2.0;
 
-/// The pulse without its number. `before`: the last frame taken at or before the pulse, `after`: the first
-/// one later; nothing where there is none. Lost if either frame is missing or has lost head or coil, and
-/// where another coil was chosen between them.
-/// Tolerances hold as they are, without the hysteresis of guidance. The target is that of `before`. The gap
-/// is the distance of the contact face's centre from `scalp`; null, or skin beyond the scan: not known.
+/// Computes the pulse, without its number. `before`: the last frame taken at or before the pulse, `after`:
+/// the first one later; nothing if there is none. Lost if either frame is missing or has lost head or coil,
+/// or if another coil was chosen between them.
+/// Tolerances apply as they are, without the hysteresis of guidance. The target is that of `before`. The gap
+/// is the distance of the contact face's centre from `scalp`; unknown for null, or for skin beyond the scan.
 casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,
                              const std::optional<PosedFrame>& after,
                              const registration::ScalpField* scalp = nullptr);

@@ -22,20 +22,20 @@ class Recorder {
   /// `capture`: still pair that goes with the recording; null: none.
   Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120,
            FileAccess access = FileAccess::by_umask, const capture::CapturePair* capture = nullptr);
-  /// Without close(), nothing is left on the disk.
+  /// Removes the recording unless close() was called.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Returns at once.
+  /// Adds a frame; returns at once.
   void add(std::shared_ptr<const cameras::StereoFrame> frame);
-  /// Writes what is queued and makes the folder visible. Safe to call twice. Never throws: see failure().
+  /// Writes the queue and makes the folder visible. Safe to call twice. Never throws: see failure().
   void close();
 
   std::uint64_t written() const;
-  /// Frames dropped because the queue was full.
+  /// Number of frames dropped because the queue was full.
   std::uint64_t leftOut() const;
-  /// Why writing stopped (disk full, ..); empty if it did not.
+  /// Fault that stopped writing (disk full, ..); empty: none.
   std::string failure() const;
 
  private:

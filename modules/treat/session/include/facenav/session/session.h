@@ -28,12 +28,12 @@ struct SessionOptions {
   }
 };
 
-/// How a session ended.
+/// Reason why a session ended.
 enum class SessionEnd { none, source, fault, stop };  // none: still running; source: no more frames
 
 class Session {
  public:
-  /// `recorder` may be null. Nothing runs before start().
+  /// Builds a session; nothing runs before start(). `recorder` may be null.
   Session(std::unique_ptr<capture::FrameSource> source, std::unique_ptr<Navigator> navigator,
           const SessionOptions& options, std::unique_ptr<Recorder> recorder = nullptr);
   /// Stops and joins.
@@ -42,28 +42,27 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   void start();
-  /// Both threads finish their current frame; returns when they have ended. Safe to call twice.
+  /// Stops both threads after their current frame; returns when they have ended. Safe to call twice.
   void stop();
-  /// The newest state, blanked ("stale") when older than the age limit. Never null; stale before the first
-  /// frame.
+  /// Newest state, blanked ("stale") when older than the age limit. Never null; stale before the first frame.
   std::shared_ptr<const NavigationState> latest() const;
   /// Waits for a state that was not taken before; null on time-out or at the end. Not blanked.
   std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
   /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
   bool hasEnded() const;
-  /// What ended it; a later stop changes nothing.
+  /// Reason why it ended; a later stop does not change it.
   SessionEnd end() const;
-  /// From start() until the end, or until now, s; 0 before.
+  /// Time from start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
-  /// As Navigator::setCoil, from the next frame on.
+  /// Calls Navigator::setCoil, from the next frame on.
   void setCoil(const coil_tracking::CoilModel& coil);
-  /// As Navigator::checkRegistration, from the next frame on.
+  /// Calls Navigator::checkRegistration, from the next frame on.
   void checkRegistration(bool is_withheld_until = false);
-  /// As Navigator::judgeAlignment, from the next frame on.
+  /// Calls Navigator::judgeAlignment, from the next frame on.
   void judgeAlignment(bool is_wrong);
   const Recorder* recorder() const;
-  /// After stop(): key frames of the patient's face from this session, to keep with the case.
+  /// Key frames of the patient's face from this session, to store with the case; only after stop().
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
 
  private:

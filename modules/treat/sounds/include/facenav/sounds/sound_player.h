@@ -1,7 +1,7 @@
 #pragma once
 // SoundPlayer: plays tones through a program of the machine (paplay, else aplay), on its own thread. One
-// child process gets a continuous stream, so that a tone costs no start of a program. Where none can play, it
-// is silent and says so once.
+// child process gets a continuous stream, so that a tone starts no program. If no program works, the player
+// is silent and reports it once.
 
 #include <memory>
 #include <string>
@@ -11,26 +11,26 @@
 
 namespace facenav::sounds {
 
-/// A program and its arguments; "%" stands for the path to read raw samples from (16 bit, little-endian,
-/// mono, kSamplesPerSecond).
+/// Command of a player: a program and its arguments. "%" is replaced by the path of the raw samples (16 bit,
+/// little-endian, mono, kSamplesPerSecond).
 using PlayCommand = std::vector<std::string>;
-/// paplay, then aplay.
+/// Default players: paplay, then aplay.
 std::vector<PlayCommand> usualPlayers();
 
 class SoundPlayer {
  public:
-  /// The first of `players` that works is used. Nothing starts before the first tone.
+  /// Builds a player that uses the first of `players` that works. Nothing starts before the first tone.
   explicit SoundPlayer(std::vector<PlayCommand> players = usualPlayers());
   ~SoundPlayer();
   SoundPlayer(const SoundPlayer&) = delete;
   SoundPlayer& operator=(const SoundPlayer&) = delete;
 
-  /// Of the following tones, 0..1.
+  /// Sets the volume of the following tones, 0..1.
   void setVolume(double volume);
   void setMuted(bool is_muted);
-  /// Returns at once. A tone that still plays is replaced.
+  /// Plays a tone; returns at once. Replaces a tone that still plays.
   void play(Tone tone);
-  /// Why nothing can be heard ("no sound: .."); empty: it can, or was not tried.
+  /// Fault that prevents sound ("no sound: .."); empty: none, or not tried.
   std::string failure() const;
 
  private:

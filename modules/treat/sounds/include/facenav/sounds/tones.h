@@ -1,7 +1,7 @@
 #pragma once
-// Tones: what a person hears in a treatment, as PCM samples. They differ in pitch, direction and length, so
-// that they can be told apart without a musical ear: lost falls, on target rises, approaching is one short
-// tone between them, a pulse is a click.
+// Tones: the sounds of a treatment as PCM samples. They differ in pitch, direction and length, so that they
+// can be distinguished without a musical ear: lost falls, on target rises, approaching is one short tone
+// between them, a pulse is a click.
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,8 @@ enum class Tone { lost, approaching, on_target, pulse };
 
 constexpr int kSamplesPerSecond = 44100;
 
-/// Mono, 16 bit. `volume` 0..1 (clamped): 1 is half of full scale, since a pure tone at full scale hurts.
+/// Samples of a tone: mono, 16 bit. `volume` 0..1 (clamped): 1 is half of full scale, since a pure tone at
+/// full scale hurts.
 std::vector<std::int16_t> samplesOf(Tone tone, double volume);
 
 }  // namespace facenav::sounds
