@@ -21,7 +21,7 @@ class SliceView : public QWidget {
 
  public:
   SliceView(volume::Anatomical orientation, QWidget* parent = nullptr);
-  /// Shared by the linked views; null: empty.
+  /// Sets the scene, which the linked views share; null: empty.
   void setScene(std::shared_ptr<scene::SliceScene> scene);
   /// Draws again after the scene's content changed.
   void refresh();
