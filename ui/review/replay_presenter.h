@@ -57,8 +57,7 @@ class ReplayPresenter : public QObject {
 
   /// Frame of the recording at the moment; null if there is none: picturesWords() gives the reason.
   std::shared_ptr<const cameras::StereoFrame> picture() const { return picture_; }
-  /// The same frame with the poses of its files drawn over it: scalp, coil, target. Null if picture() is
-  /// null.
+  /// picture() with the poses of its files drawn over it: scalp, coil, target. Null if picture() is null.
   std::shared_ptr<const pictures::CameraOverlay> overlay() const { return overlay_; }
   QString picturesWords() const { return pictures_words_; }
   /// Chooses another recording folder. Refused, with the reason, if its pictures are not the session's.
