@@ -213,7 +213,7 @@ void SetupTools::refresh() {
   open_->setEnabled(presenter_.canOpen());
   open_->setText(presenter_.isOpen() ? tr("Open them again") : tr("Open the cameras"));
   device_words_->setText(presenter_.isOpen() ? presenter_.deviceWords()
-                                             : QString());  // otherwise the sentence says it
+                                             : QString());  // otherwise the sentence shows it
   device_words_->setVisible(!device_words_->text().isEmpty());
   const bool is_calibrated = presenter_.canGo(Step::check);
   if (view->step == Step::calibrate) {

@@ -61,8 +61,8 @@ struct Services {
       fetchFromArchive;
   /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
-  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: whose marker the
-  /// pictures may show; null: as the case says. Stores the result in the case.
+  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: the coil whose
+  /// marker the pictures may show; null: the case's. Stores the result in the case.
   std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                         const coil_tracking::CoilModel* coil, TaskMonitor&)>
       align;

@@ -25,7 +25,7 @@ class CameraRow : public QWidget {
   void showStill(std::shared_ptr<const pictures::CameraOverlay> still);
   /// Shows only images that match `now` (not null) from now on.
   void follow(std::shared_ptr<const session::NavigationState> now);
-  /// Shows a drawn image; ignored if it does not fit the newest state.
+  /// Shows a drawn image; ignored if it does not match the newest state.
   void showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn);
   /// The shown overlay; null: none.
   std::shared_ptr<const pictures::DrawnOverlay> shown() const { return shown_; }

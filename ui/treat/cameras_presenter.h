@@ -121,7 +121,7 @@ class CamerasPresenter : public QObject {
   void forgetStart();
   OpenedCameras chosenNow() const;
   RigVerifying verifying() const;
-  /// What the verification of the kept rig found; empty: none is open.
+  /// Result of the kept rig's verification; empty if none is open.
   QString startWords() const;
   std::optional<cameras::StereoFrame> takeFresh();
 

@@ -56,7 +56,7 @@ class TreatPresenter : public QObject {
   /// Guides to a place outside the plan (a site of a hunting grid); empty: to the chosen target again.
   void guideTo(const std::optional<guidance::Target>& site);
 
-  // Only effective while guidance runs; otherwise they do nothing, or return false.
+  // The functions of this group work only while guidance runs; else they do nothing, or return false.
   /// Stores a TMS pulse with the coil's pose.
   void countPulse();
   /// Stores the muscle's response to the newest pulse.

@@ -1,6 +1,6 @@
 #pragma once
-// RoomCoil: the figure-8 coil of the virtual room with its printed marker. Frames: Coil and Marker of
-// FORMATS.md.
+// RoomCoil: the figure-8 coil of the virtual room with its printed marker. Frames: Coil and Marker
+// (modules/README.md).
 
 #include <string>
 

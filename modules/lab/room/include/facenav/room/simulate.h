@@ -1,7 +1,7 @@
 #pragma once
-// simulate: renders a scenario into a recording folder (FORMATS.md) with its truth: truth/head.csv,
-// truth/coil.csv, coil.json (the coil's marker mount) and scenario.json (options, seed, the event in each
-// frame).
+// simulate: renders a scenario into a recording folder (resources/doc/formats.md) with its truth:
+// truth/head.csv, truth/coil.csv, coil.json (the coil's marker mount) and scenario.json (options, seed, the
+// event in each frame).
 
 #include <filesystem>
 #include <memory>
