@@ -10,7 +10,8 @@ namespace {
 using namespace guidance::testing;
 using facenav::testing::EigenNear;
 
-// FORMATS.md: values of a published navigator export with 3 decimals; `point` is the target itself.
+// Values of a published navigator export with 3 decimals (resources/doc/formats.md); `point` is the target
+// itself.
 TEST(Evaluate, GivesThePublishedRecordingsValues) {
   Target target;
   target.mri_T_target =
