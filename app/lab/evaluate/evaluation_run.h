@@ -40,9 +40,9 @@ struct EvaluationSequence {
 coil_tracking::CoilModel coilOf(const room::RoomCoil& coil);
 /// Makes the sequence of a scenario of the virtual room, rendered on demand.
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head);
-/// Reads a recording with truth/ from another program (FORMATS.md). Its scenario.json, if there is one, marks
-/// frames in which the pose must be lost and gives the head's pose at the capture. Throws Error if there is
-/// no truth or no capture pair.
+/// Reads a recording with truth/ from another program (resources/doc/formats.md). Its scenario.json, if there
+/// is one, marks frames in which the pose must be lost and gives the head's pose at the capture. Throws Error
+/// if there is no truth or no capture pair.
 EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 
 /// The last alignment in a series of runs. Scenarios with the same seat start from the same capture, which is
