@@ -21,7 +21,7 @@ std::atomic<bool> g_is_interrupted{false};  // the signal handler may only set t
 
 void onInterrupt(int) { g_is_interrupted = true; }
 
-/// To the verb and to those below it.
+/// Adds the flags to the verb and to those below it.
 void addSettingsFlagsBelow(CLI::App& verb, SettingsRequest& request) {
   addSettingsFlags(verb, request);
   for (CLI::App* below : verb.get_subcommands({})) addSettingsFlags(*below, request);

@@ -1,6 +1,6 @@
 #pragma once
-// The command line of one program: its verbs by step, its help, and how it ends. facenav and facenav-lab
-// differ in their verbs alone.
+// The command line of one program: its verbs by step, its help, and its exit status. facenav and facenav-lab
+// differ only in their verbs.
 
 #include <string>
 #include <vector>
@@ -17,12 +17,12 @@ struct VerbGroup {
 
 struct Program {
   std::vector<VerbGroup> groups;
-  std::vector<std::string> verbs_with_settings;                // they take --settings and --set
+  std::vector<std::string> verbs_with_settings;                // verbs with --settings and --set
   void (*add_peers)(steps::Registrations& methods) = nullptr;  // more implementations; null: none
 };
 
-/// Parses, runs one verb, and turns exceptions into one line. Returns the exit status: 0 done, 1 could not be
-/// done, 2 wrong usage.
+/// Parses, runs one verb, and reports an exception in one line. Returns the exit status: 0 done, 1 failed, 2
+/// wrong usage.
 int runProgram(const Program& program, int argc, char** argv);
 
 /// Full path of the running program.

@@ -1,5 +1,5 @@
 #pragma once
-// What every command may use: the registered implementations, progress on the terminal, the folder for cached
+// What every command can use: the registered implementations, progress on the terminal, the folder for cached
 // data.
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct Context {
   TaskMonitor& monitor;           // progress on a terminal; cancelled by Ctrl-C
   std::filesystem::path program;  // full path of the running facenav
   bool is_quiet = false;
-  app::SettingsRequest settings = {};  // by the flags of the verb that runs
+  app::SettingsRequest settings = {};  // from the flags of the running verb
 
   /// FACENAV_CACHE, else the build folder's cache beside the program.
   std::filesystem::path cacheFolder() const;

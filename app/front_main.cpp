@@ -1,6 +1,6 @@
 // facenav, the program that people call. It reads its first words and becomes the program that does the work:
-// the window, the verbs of the clinic, or the laboratory. By itself it answers --version, at once: the
-// libraries of the others take longer to load.
+// the window, the verbs of the clinic, or the laboratory. It answers --version itself, because the libraries
+// of the others take longer to load.
 
 #include <unistd.h>
 

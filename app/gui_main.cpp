@@ -73,7 +73,8 @@ void openWhatIsAsked(ui::MainWindow& window, const Arguments& arguments) {
   if (!arguments.step.empty()) window.setPrepareStep(stepNamed(arguments.step));
 }
 
-/// The settings hold the queue's paths, which may contain a patient's name, so only this user may read them.
+/// Makes the settings readable only by this user: they contain the queue's paths, which may contain a
+/// patient's name.
 void keepFilesPrivate() {
   ::umask(077);
   const QString settings = QSettings().fileName();
@@ -86,7 +87,7 @@ double rememberedTextScale(double asked_for) {
   return std::clamp(QSettings().value(key, 1.0).toDouble(), kLeastTextScale, kMostTextScale);
 }
 
-/// The report of a session as PDF, without a window. With an X display the report has pictures.
+/// Prints the report of a session as PDF, without a window. With an X display the report has pictures.
 int printReport(int argc, char** argv, const Arguments& arguments) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QGuiApplication application(argc, argv);
@@ -99,7 +100,7 @@ int printReport(int argc, char** argv, const Arguments& arguments) {
   return 0;
 }
 
-/// Three steps for a person at home or a nurse. Files stay private: they show a face.
+/// Runs the three steps for a person at home or a nurse. Files stay private: they show a face.
 int runHome(QApplication& application, const Arguments& arguments) {
   ui::HomeWindow window(ui::servicesWith(app::makeRegistrations));
   window.presenter().open(QString::fromStdString(arguments.home));
@@ -120,7 +121,7 @@ int runHome(QApplication& application, const Arguments& arguments) {
   return application.exec();
 }
 
-/// The set-up of a camera pair alone.
+/// Runs only the set-up of a camera pair.
 int runSetUp(QApplication& application, const Arguments& arguments) {
   ui::SetupWindow window(ui::servicesWith(app::makeRegistrations));
   const QSize room = QApplication::primaryScreen()->availableSize();
@@ -145,7 +146,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationName("FaceNav");
   keepFilesPrivate();
   ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
-  // Start the shared threads now, at the window's own priority.
+  // Starts the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
   if (!arguments.home.empty()) return runHome(application, arguments);
   if (arguments.is_set_up) return runSetUp(application, arguments);

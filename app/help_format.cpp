@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kWidth = 80, kOptionColumn = 28, kVerbColumn = 17;
 
-/// How much of a word that is longer than `width` fits on a line.
+/// Length of the part of an overlong word that fits on a line of `width`.
 std::size_t fittingPart(const std::string& word, std::size_t width) {
   const std::size_t mark = word.find_last_of(",)]}/", width - 1);
   return mark == std::string::npos || mark == 0 ? width : mark + 1;
@@ -39,7 +39,7 @@ void appendWrapped(const std::string& line, std::size_t width, std::vector<std::
   lines.push_back(current);
 }
 
-/// `text` wrapped, each line but the first indented.
+/// Wraps `text` and indents each line but the first.
 std::string paragraph(const std::string& text, std::size_t indent = 0) {
   std::string out;
   for (const std::string& line : wrappedLines(text, kWidth - indent))
@@ -47,7 +47,7 @@ std::string paragraph(const std::string& text, std::size_t indent = 0) {
   return out;
 }
 
-/// The name on the left, its explanation from `column` on; on a line of its own where the name is too long.
+/// Formats a name with its explanation from `column` on; a name that is too long gets its own line.
 std::string twoColumns(const std::string& name, const std::string& explanation, std::size_t column) {
   std::string out;
   auto left = wrappedLines(name, kWidth - 6);

@@ -1,13 +1,13 @@
 #pragma once
-// Formats --help: no line is longer than 80 columns, and the verbs stand in their groups.
+// Formats --help: no line is longer than 80 columns, and the verbs are grouped.
 
 #include <CLI/CLI.hpp>
 
 namespace facenav::app {
 
 /// Wraps `text` into lines of at most `width` letters. It breaks at spaces, in a longer word after a comma or
-/// a bracket, else anywhere. A line break in `text` stays. A line that begins with blanks keeps them; what is
-/// wrapped of it stands two further in.
+/// a bracket, else anywhere. A line break in `text` stays. A line that begins with blanks keeps them; its
+/// wrapped lines are indented by two more.
 std::vector<std::string> wrappedLines(const std::string& text, std::size_t width);
 
 class HelpFormat : public CLI::Formatter {

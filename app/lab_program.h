@@ -1,5 +1,5 @@
 #pragma once
-// facenav-lab, the laboratory's program, as the clinic's verbs know it. It lies beside them, or it is not
+// Access of the clinic's verbs to facenav-lab, the laboratory's program. It lies beside them, or it is not
 // installed.
 
 #include <CLI/CLI.hpp>
@@ -8,9 +8,9 @@
 
 namespace facenav::app {
 
-/// The laboratory's verbs in the list of --help.
+/// Adds the laboratory's verbs to the list of --help.
 void addLabVerbs(CLI::App& app, Context& context);
-/// Prints what `facenav help VERB --all` says of each of its verbs; nothing where it is not installed.
+/// Prints `facenav help VERB --all` of each of its verbs; nothing if it is not installed.
 void printHelpOfLab();
 
 }  // namespace facenav::app

@@ -16,8 +16,8 @@ inline constexpr LabVerb kLabVerbs[] = {
     {"evaluate", "accuracy of the whole path in the virtual room, or of a recording"},
     {"demo", "the whole path on the virtual patient: model, align, track, guide, report"}};
 
-/// Whether these words of a command line (without the program's name) are for the laboratory: "demo -o out",
-/// "help evaluate".
+/// Returns true if these words of a command line (without the program's name) are for the laboratory: "demo
+/// -o out", "help evaluate".
 inline bool isForLab(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "help" || (!word.empty() && word.front() == '-')) continue;

@@ -6,7 +6,8 @@ namespace facenav::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// Returns `final` and creates its parent. Throws Error if it holds something other than an earlier result.
+/// Returns `final` and creates its parent. Throws Error if it contains something other than an earlier
+/// result.
 fs::path checkedPlace(const fs::path& final, const std::string& mark, const std::string& what) {
   fs::path place = fs::absolute(final).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();

@@ -1,6 +1,7 @@
 #pragma once
-// A folder that a verb fills: it appears whole or not at all. It is made beside its final place and renamed
-// by finish(), or else removed. An earlier result of the same verb is replaced; anything else is kept.
+// Folder of a verb's results, which appears whole or not at all: it is made beside its final place and
+// renamed by finish(), or else removed. An earlier result of the same verb is replaced; anything else is
+// kept.
 
 #include <filesystem>
 #include <string>
@@ -11,11 +12,11 @@ namespace facenav::app {
 
 class ResultFolder {
  public:
-  /// `mark`: a file that every result has. Throws Error if `final` holds something else. `what` names the
-  /// result ("a demo").
+  /// `mark`: a file that every result has. `what` names the result ("a demo"). Throws Error if `final`
+  /// contains something else.
   ResultFolder(const std::filesystem::path& final, const std::string& mark, const std::string& what);
 
-  /// Write here until finish().
+  /// Folder to write to until finish().
   const std::filesystem::path& path() const { return folder_.temporaryPath(); }
   void finish() { folder_.commit(); }
 

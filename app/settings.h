@@ -11,17 +11,17 @@
 
 namespace facenav::app {
 
-/// What a user asks for. Later entries win.
+/// Changes that a user asks for. Later entries win.
 struct SettingsRequest {
   std::optional<std::filesystem::path> file;  // JSON, {"module.name": value}
   std::vector<std::string> assignments;       // "module.name=value"
 };
 
-/// With the defaults.
+/// Table of all settings with their defaults.
 SettingsTable allSettings();
-/// What was asked for over the defaults. Throws Error as SettingsTable does.
+/// Returns the defaults with the request applied. Throws Error as SettingsTable does.
 SettingsTable settingsFor(const SettingsRequest& request);
-/// Puts them in force for the rest of the process: once, before any work. Throws Error.
+/// Puts the request in force for the rest of the process; call it once, before any work. Throws Error.
 void useSettings(const SettingsRequest& request);
 
 }  // namespace facenav::app

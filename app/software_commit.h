@@ -7,7 +7,7 @@ namespace facenav::app {
 
 /// Short hash of the commit that was checked out when the program was built; "unknown" without git.
 const char* softwareCommit();
-/// "0.1.0 (commit 1a2b3c4d)".
+/// Formats version and commit: "0.1.0 (commit 1a2b3c4d)".
 std::string versionInWords();
 
 }  // namespace facenav::app

@@ -21,7 +21,7 @@ const CLI::App* find(const CLI::App& app, const std::string& word) {
   return nullptr;
 }
 
-/// Whether a word after this verb can be nothing but a verb.
+/// Returns true if only a verb can follow this verb.
 bool takesOnlyVerbs(const CLI::App& app) {
   const auto positionals =
       app.get_options([](const CLI::Option* option) { return option->get_positional(); });
@@ -51,8 +51,8 @@ std::optional<WrongVerb> wrongVerb(const CLI::App& program, const std::vector<st
   std::string before;
   for (const std::string& word : words) {
     const bool is_option = !word.empty() && word.front() == '-';
-    if (app == &program && is_option) continue;       // the program's own options take no value
-    if (app == &program && word == "help") continue;  // the words after it name a verb
+    if (app == &program && is_option) continue;       // options of the program itself take no value
+    if (app == &program && word == "help") continue;  // words after it name a verb
     if (is_option || !takesOnlyVerbs(*app)) return std::nullopt;
     const CLI::App* next = find(*app, word);
     if (!next) return WrongVerb{inWords(before, word, *app), before};

@@ -1,26 +1,27 @@
 #pragma once
-// The verbs as words of the command line: which one is meant, and what is wrong with one that is none.
+// Finds the verb that a command line names, and the error if a word is no verb.
 
 #include <CLI/CLI.hpp>
 
 namespace facenav::app {
 
-/// The verb that `words` lead to ("rig", "new"), and the words up to it.
+/// Verb named by the words ("rig", "new"), and the words up to it.
 struct NamedVerb {
   const CLI::App* verb;
   std::string words;  // "facenav rig new"
 };
 
-/// Follows `words` from verb to verb as far as they name any. Never fails: without a word it is `program`.
+/// Follows `words` from verb to verb as far as they name any. Never fails: without a word it returns
+/// `program`.
 NamedVerb namedVerb(const CLI::App& program, const std::vector<std::string>& words);
 
-/// A word that stands where only a verb can stand, and is none.
+/// Word that is no verb, in a position where only a verb is valid.
 struct WrongVerb {
   std::string in_words;  // "no verb 'prepar'; did you mean 'prepare'?"
-  std::string below;     // the verb whose verbs were meant: "rig"; empty: the program's own
+  std::string below;     // verb below which it was searched: "rig"; empty: the program's own
 };
 
-/// The first such word; nothing: there is none. `words`: the command line without the program's name.
+/// Returns the first such word, or nothing. `words`: the command line without the program's name.
 std::optional<WrongVerb> wrongVerb(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace facenav::app

@@ -40,7 +40,7 @@ std::string lastLine(const fs::path& log) {
                       : text.substr(start == std::string::npos ? 0 : start + 1);
 }
 
-/// True if the case opens. It is then complete, since prepare puts a case in place in one step.
+/// Returns true if the case opens. It is then complete, since prepare moves a case into place in one step.
 bool isThere(const fs::path& case_folder) {
   try {
     casefile::CaseStore::open(case_folder);
@@ -56,7 +56,7 @@ void describe(const fs::path& case_folder, BidsResult& result) {
   if (const auto brain = store.brainMask()) result.brain_ml = brain->volume_ml();
 }
 
-/// The masks under their BIDS names. Hard links where the file system allows it, else copies.
+/// Links the masks under their BIDS names: hard links if the file system allows them, else copies.
 void linkDerivatives(const BidsImage& image, const fs::path& folder) {
   fs::create_directories(folder / "anat");
   for (const char* kind : {"head", "brain"}) {

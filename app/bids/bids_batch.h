@@ -1,6 +1,6 @@
 #pragma once
 // The batch: one case per T1, each in its own process, so that a bad image affects no other. Finished cases
-// are kept: a batch that was killed continues where it stopped.
+// are kept: an interrupted batch continues where it stopped.
 
 #include <filesystem>
 #include <functional>
@@ -23,8 +23,9 @@ struct BidsResult {
   std::string problem;  // why it failed, in one line
 };
 
-/// OUT/sub-<label>[/ses-<label>]: case/ (the case), anat/<prefix>_desc-{head,brain}_mask.nii.gz; logs in
-/// OUT/logs. `facenav`: the command line tool. Never throws for a single image.
+/// Prepares one image. Writes OUT/sub-<label>[/ses-<label>]: case/ (the case),
+/// anat/<prefix>_desc-{head,brain}_mask.nii.gz; logs in OUT/logs. `facenav`: the command line tool. Never
+/// throws for a single image.
 BidsResult prepareImage(const BidsImage& image, const std::filesystem::path& output,
                         const std::filesystem::path& facenav);
 

@@ -17,13 +17,14 @@ struct BidsImage {
   std::string prefix() const;
 };
 
-/// Sorted by participant and session. If an anat folder has several T1w images, the first by name is used.
-/// `labels` (with or without "sub-") chooses participants; empty: all. Throws Error: no
-/// dataset_description.json, no T1w image, or a label that the dataset does not have.
+/// Finds the T1 images, sorted by participant and session. If an anat folder has several T1w images, the
+/// first by name is used. `labels` (with or without "sub-") chooses participants; empty: all. Throws Error:
+/// no dataset_description.json, no T1w image, or a label that the dataset does not have.
 std::vector<BidsImage> findT1Images(const std::filesystem::path& dataset,
                                     const std::vector<std::string>& labels);
 
-/// dataset_description.json of the derivatives. Throws Error if `output` holds another dataset's derivatives.
+/// Writes dataset_description.json of the derivatives. Throws Error if `output` contains another dataset's
+/// derivatives.
 void writeDerivativesDescription(const std::filesystem::path& output, const std::filesystem::path& dataset,
                                  const std::string& software_version);
 

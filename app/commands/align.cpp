@@ -1,4 +1,4 @@
-// facenav align CASE RECORDING: what the recording holds (pair with dots, plain pair, film) ->
+// facenav align CASE RECORDING: the recording's images (pair with dots, plain pair, film) ->
 // CASE/alignment.json (or --rig, --left, --right, -o).
 
 #include <cmath>
@@ -21,7 +21,7 @@ struct AlignRequest {
   std::optional<std::filesystem::path> recording, rig, output, picture;
   std::vector<std::filesystem::path> left, right;  // with dots, without
   std::string aligner, matcher = stereo::kDefaultMatcher, from;
-  LiveChoice live;  // its rig alone
+  LiveChoice live;  // only its rig
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -31,7 +31,8 @@ cv::Mat readGrey(const std::filesystem::path& path) {
   return image;
 }
 
-/// Capture pair and rig from single files: the pair with dots, then the one without; a single one is both.
+/// Reads capture pair and rig from single files: the pair with dots, then the one without; a single pair is
+/// used as both.
 capture::Recording fromFiles(const AlignRequest& request) {
   if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
       request.left.size() > 2)
@@ -54,7 +55,7 @@ capture::Recording fromFiles(const AlignRequest& request) {
   return recording;
 }
 
-/// Pictures of now: one pair with the coil's marker beside the face, or two with the projector on and off.
+/// Takes pictures now: one pair with the coil's marker beside the face, or two with the projector on and off.
 capture::Recording fromCameras(const AlignRequest& request, const Context& context) {
   if (request.from == "film")
     throw Error("a film is not aligned from live cameras", "--using film",
@@ -85,7 +86,7 @@ void printWorstRegions(const std::vector<registration::RegionFit>& regions) {
   if (!words.empty()) std::printf("skin: %s\n", words.c_str());
 }
 
-/// Both pictures of the capture with the MRI's skin over them, for a person to judge.
+/// Draws the MRI's skin over both pictures of the capture, for a person to judge.
 void writePicture(const std::filesystem::path& path, const casefile::CaseStore& store,
                   const cameras::StereoRig& rig, const steps::AlignmentOutcome& outcome) {
   auto drawn = steps::drawAlignment(rig, outcome, steps::seeAlignment(store, outcome));

@@ -1,4 +1,5 @@
-// facenav brain CASE: prints what the case's brain mask is, or corrects it with the same edits as the window.
+// facenav brain CASE: prints the state of the case's brain mask, or corrects it with the same edits as the
+// window.
 
 #include <cmath>
 #include <cstdio>
@@ -20,7 +21,7 @@ struct BrainRequest {
   std::vector<std::string> added, removed, grown;  // as typed
 };
 
-/// `count` numbers from "-37,-21,58.5". Throws Error that names the expected form.
+/// Reads `count` numbers from "-37,-21,58.5". Throws Error that names the expected form.
 std::vector<double> numbersOf(const std::string& typed, std::size_t count, const std::string& form) {
   std::vector<double> numbers;
   std::istringstream text(typed);

@@ -1,4 +1,4 @@
-// facenav calibrate: pairs of a chessboard or ChArUco board -> stereo.yml, with all figures needed to judge
+// facenav calibrate: pairs of a chessboard or ChArUco board -> stereo.yml, with the figures by which to judge
 // it.
 
 #include <cstdio>

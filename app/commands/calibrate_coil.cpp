@@ -1,4 +1,4 @@
-// facenav calibrate-coil: where the contact face lies relative to the marker, from recordings -> coil.json.
+// facenav calibrate-coil: pose of the contact face relative to the marker, from recordings -> coil.json.
 
 #include <cstdio>
 
@@ -18,7 +18,7 @@ struct CalibrateCoilRequest {
 
 using MarkerPoses = std::vector<Tracked<coil_tracking::CoilPose>>;
 
-/// One entry per frame for each of the models.
+/// Tracks all models; returns one entry per frame for each of them.
 std::vector<MarkerPoses> trackMarkers(Context& context, const std::filesystem::path& folder,
                                       const std::vector<coil_tracking::CoilModel>& models) {
   const auto recording = capture::openRecording(folder);

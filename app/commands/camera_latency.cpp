@@ -16,13 +16,13 @@ namespace {
 constexpr int kLatencyChanges = 60;
 constexpr double kWithin_s = 60.0;
 
-/// The whole terminal in one colour, by its escape sequences (ECMA-48).
+/// Fills the terminal with one colour, by escape sequences (ECMA-48).
 void fillTerminal(bool is_white) {
   std::fputs(is_white ? "\033[48;5;231m\033[2J" : "\033[48;5;16m\033[2J", stderr);
   std::fflush(stderr);
 }
 
-/// Flashes until the meter is done or it is told to end; then the terminal is as before.
+/// Flashes the terminal until the meter is done or stop is requested; then restores it.
 class Flasher {
  public:
   explicit Flasher(capture::LatencyMeter& meter) : meter_(meter), thread_([this] { run(); }) {}

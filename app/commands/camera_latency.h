@@ -6,8 +6,8 @@
 
 namespace facenav::app {
 
-/// The terminal flashes white and black for about half a minute while the camera films it. Throws Error: the
-/// camera does not see it; CameraError.
+/// Measures the latency: the terminal flashes white and black for about half a minute while the camera films
+/// it. Throws Error if the camera does not see it; CameraError.
 void measureLatency(const capture::CameraBackends& backends, const capture::CameraIdentity& camera,
                     const capture::CameraSettings& settings, bool is_json);
 

@@ -1,5 +1,4 @@
-// facenav cameras: which cameras are connected, what to do before two of them can be used, and a trial of a
-// pair.
+// facenav cameras: lists the connected cameras, what to do before two of them can be used, and tries a pair.
 
 #include <cmath>
 #include <cstdio>

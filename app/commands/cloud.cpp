@@ -1,4 +1,4 @@
-// facenav cloud RECORDING [--frame N | --frames N..M | --plain] -o face.ply: the face as measured by the
+// facenav cloud RECORDING [--frame N | --frames N..M | --plain] -o face.ply: the face measured by the
 // cameras.
 
 #include <charconv>
@@ -28,7 +28,7 @@ struct CloudRequest {
 struct Measurement {
   measured_face::MeasuredFace face;
   cv::Mat colour;    // empty: grey
-  std::string what;  // measured, in words
+  std::string what;  // description of the measurement
 };
 
 std::optional<std::pair<std::int64_t, std::int64_t>> rangeIn(const std::string& text) {

@@ -14,7 +14,7 @@ struct CoilChoice {
   std::filesystem::path library;  // empty: the usual one
 };
 
-/// The chosen coil; none chosen: the default one. Throws Error: there is no such coil.
+/// Returns the chosen coil, or the default one if none is chosen. Throws Error if there is no such coil.
 inline coil_tracking::CoilModel coilOf(const CoilChoice& choice) {
   if (choice.words.empty()) return coil_tracking::defaultCoil();
   return coil_tracking::readCoil(

@@ -1,6 +1,6 @@
 #pragma once
 // One function per verb. It adds the subcommand with its options and a callback that does the work. A
-// callback throws facenav::Error on failure; cli_main turns it into one line and exit status 1.
+// callback throws facenav::Error on failure; runProgram reports it in one line with exit status 1.
 
 #include <CLI/CLI.hpp>
 

@@ -6,7 +6,7 @@
 
 namespace facenav::app {
 
-/// Prints how far the coil of `second` came back to where it was in `first`. Throws Error.
+/// Prints the return error of the coil in `second` against `first`. Throws Error.
 void compareSessions(const std::filesystem::path& case_folder, const std::string& first,
                      const std::string& second, bool is_json);
 

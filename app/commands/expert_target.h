@@ -17,7 +17,8 @@ struct ExpertTargetRequest {
 };
 
 void addExpertOptions(CLI::App& verb, ExpertTargetRequest& request);
-/// `name`: of the target; empty: "expert " and the old one's. Throws Error as steps::storeExpertPose does.
+/// Stores the target. `name`: its name; empty: "expert " and the old target's name. Throws Error as
+/// steps::storeExpertPose does.
 void storeExpertTarget(Context& context, const casefile::CaseStore& store, const ExpertTargetRequest& request,
                        const std::string& name, bool is_json);
 

@@ -24,8 +24,7 @@ struct GuideRequest {
   std::optional<std::int64_t> frame;
 };
 
-/// The picture that the projector would show at one frame: by default the last one in which the head was
-/// tracked.
+/// Writes the projector's picture for one frame; by default the last frame in which the head was tracked.
 void writeProjected(const GuideRequest& request, const casefile::CaseStore& store,
                     const std::vector<casefile::PoseRow>& poses,
                     const std::vector<guidance::GuidanceRow>& rows) {
@@ -72,7 +71,7 @@ void guideTable(const GuideRequest& request, const Context& context) {
   std::printf("%zu frames, on target in %ld\n", rows.size(), long(on_target));
 }
 
-/// The session's own table, as it was said while it ran.
+/// Guides live; the table is the session's own, as written while it ran.
 void guideLive(const GuideRequest& request, SessionVerb session, Context& context) {
   if (!request.poses.empty() || !request.projected.empty())
     throw Error("--live guides by the cameras", {}, "leave out POSES, --projector and --projected");

@@ -20,7 +20,7 @@ void printHelp(const CLI::App& program, const NamedVerb& named) {
   std::printf("%s", text.c_str());
 }
 
-/// The verb, then those below it.
+/// Prints the help of the verb, then of those below it.
 void printAll(const CLI::App& program, const NamedVerb& named) {
   std::printf("-- %s\n", named.words.c_str());
   printHelp(program, named);
@@ -32,7 +32,7 @@ void printAll(const CLI::App& program, const NamedVerb& named) {
 
 void addHelp(CLI::App& app, Context&) {
   auto* verb = app.add_subcommand("help", "explains a verb, as 'facenav VERB --help' does");
-  verb->group("");  // the last lines of --help tell of it
+  verb->group("");  // the last lines of --help mention it
   auto request = std::make_shared<HelpRequest>();
   verb->add_option("VERB", request->words,
                    "a verb, and the one below it: 'facenav help rig new'; without one: the list of verbs");

@@ -17,7 +17,7 @@ struct HomeExportRequest {
   bool replaces = false;
 };
 
-/// Throws Error as steps::exportHome does, and where the file exists.
+/// Exports the case. Throws Error as steps::exportHome does, and if the file exists.
 void exportHomeCase(Context& context, const casefile::CaseStore& store, const HomeExportRequest& request);
 
 }  // namespace facenav::app

@@ -10,7 +10,7 @@
 namespace facenav::app {
 namespace {
 
-constexpr double kSettleRig_s = 8.0;  // a face that is there is measured three times by then
+constexpr double kSettleRig_s = 8.0;  // by then a visible face is measured three times
 
 std::string repairOf(const std::string& rig) {
   const bool is_quoted = rig.find(' ') != std::string::npos;
@@ -33,7 +33,7 @@ void tellStart(const LiveChoice& choice, const steps::RigStart& found) {
   }
 }
 
-/// The answer on the terminal.
+/// Returns the answer typed on the terminal.
 std::string ask(const char* words) {
   std::fprintf(stderr, "%s: ", words);
   std::string line;

@@ -1,5 +1,5 @@
-// facenav hotspot CASE [SESSION] and facenav note CASE [SESSION]: what the muscle's answers say, and what is
-// entered about a session by hand.
+// facenav hotspot CASE [SESSION] and facenav note CASE [SESSION]: results from the muscle's responses, and
+// manual entries about a session.
 
 #include <cmath>
 #include <cstdio>

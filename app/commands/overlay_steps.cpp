@@ -39,7 +39,7 @@ void printOverlays(const std::vector<OverlayEntry>& entries, bool is_json) {
                 toString(entry.space).c_str(), fixed(entry.opacity, 2).c_str(), valuesInWords(entry).c_str());
 }
 
-/// Without a file, the options change the overlay called --overlay-name.
+/// Changes the overlay called --overlay-name by the options; used without a file.
 void change(const OverlayRequest& request, const casefile::CaseStore& store) {
   for (OverlayEntry entry : casefile::readOverlays(store.folder())) {
     if (entry.name != request.name) continue;

@@ -19,7 +19,7 @@ struct OverlayRequest {
 };
 
 void addOverlayOptions(CLI::App& verb, OverlayRequest& request);
-/// True if there was something to do.
+/// Applies the options. Returns true if there was something to do.
 bool overlaySteps(const OverlayRequest& request, const casefile::CaseStore& store, bool is_json,
                   bool is_quiet);
 

@@ -7,7 +7,7 @@
 
 namespace facenav::app {
 
-/// A rig that knows its pictures' size alone. Throws Error: no size.
+/// Makes a rig that contains only the size of its pictures. Throws Error if `size` is none.
 cameras::StereoRig sizeOnly(const std::string& size);
 
 }  // namespace facenav::app

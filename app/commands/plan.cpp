@@ -47,7 +47,7 @@ struct PlanRequest {
        removes_grid = false, wants_lowest = false;
 };
 
-/// "nasion=1.5,85,-40".
+/// Reads "nasion=1.5,85,-40".
 std::pair<surface::Landmark, Point<Mri>> readLandmark(const std::string& text) {
   const auto equals = text.find('=');
   Eigen::Vector3d p;
@@ -206,7 +206,7 @@ class PlanSteps {
                     request_.picture);
   }
 
-  /// Along the coil's axis: of the named target, else of every one.
+  /// Draws slices along the coil's axis, for the named target or for every one.
   void drawSlices() {
     scene::SliceScene scene;
     scene.mri = std::make_shared<const volume::Volume>(store_.mri());

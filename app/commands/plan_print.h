@@ -9,9 +9,9 @@ namespace facenav::app {
 
 void printPresets(bool is_json);
 void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json);
-/// Tape measures, the EEG sites with their errors, and Beam F3.
+/// Prints tape measures, the EEG sites with their errors, and Beam F3.
 void printMeasures(const steps::HeadMeasures& measures, bool is_json);
-/// The targets, with how the plate stands on the head.
+/// Prints the targets and the contact of the plate with the head.
 void printPlan(const guidance::TreatmentPlan& plan, const steps::PlannedHead& head, bool is_json);
 void printDifference(const std::string& first, const std::string& second,
                      const guidance::TargetDifference& difference, double along_scalp_mm, bool is_json);

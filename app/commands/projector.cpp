@@ -41,7 +41,7 @@ void writePictures(const ProjectorRequest& request, bool is_quiet) {
         request.output.c_str(), pictures.size());
 }
 
-/// The places of one scene: a recording with one pair for each picture of the code.
+/// Adds the points of one scene: a recording with one pair for each picture of the code.
 void addScene(const std::filesystem::path& scene, const stereo::ProjectorCode& code,
               std::vector<stereo::LitPlace>& places) {
   const auto recording = capture::openRecording(scene);

@@ -1,6 +1,6 @@
 #pragma once
-// Pulses by the keyboard of a terminal: Return, space or p; q ends the session. Standard input that is no
-// terminal (a pipe) works the same way.
+// Pulses by the keyboard of a terminal: Return, space or p; q ends the session. Standard input from a pipe
+// works the same way.
 
 #include <termios.h>
 
@@ -12,12 +12,12 @@ namespace facenav::app {
 
 class PulseKeys {
  public:
-  /// A terminal gives its keys at once and unseen until the end.
+  /// Switches a terminal to single keys without echo; the destructor restores it.
   explicit PulseKeys(bool is_quiet);
   ~PulseKeys();
   PulseKeys(const PulseKeys&) = delete;
   PulseKeys& operator=(const PulseKeys&) = delete;
-  /// Takes the keys that were pressed. False: the session is to end.
+  /// Takes the keys that were pressed. Returns false if the session must end.
   bool look(steps::Treatment& treatment);
 
  private:

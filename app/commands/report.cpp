@@ -1,5 +1,5 @@
-// facenav report CASE [SESSION]: a session as one page for the chart (HTML), and as PDF. The PDF is printed
-// by the window's program, without a window, since this one has no Qt.
+// facenav report CASE [SESSION]: a session as one page for the chart (HTML), and as PDF. The window's program
+// prints the PDF, without a window, since this one has no Qt.
 
 #include <cstdio>
 #include <memory>
@@ -27,7 +27,7 @@ struct ReportRequest {
   report::ReportOptions options;
 };
 
-/// A private display where there is none; nothing if that cannot be had either: then there are no pictures.
+/// Starts a private display if there is none. Returns nothing if that fails; the report then has no pictures.
 std::unique_ptr<VirtualDisplay> displayForPictures(const Context& context) {
   if (scene::hasDisplay()) return nullptr;
   try {

@@ -1,4 +1,4 @@
-// facenav sessions CASE and facenav pulses CASE: what was kept of a case's sessions.
+// facenav sessions CASE and facenav pulses CASE: the stored data of a case's sessions.
 
 #include <cmath>
 #include <cstdio>
@@ -121,7 +121,7 @@ struct PulsesRequest {
   bool edits() const { return !exclude.empty() || !include.empty() || !set_meps.empty() || mep_file; }
 };
 
-/// "12=350": pulse 12, 350 uV; "12=": not known.
+/// Reads "12=350": pulse 12, 350 uV; "12=": not known.
 casefile::MepEdit mepFrom(const std::string& words, const std::string& by) {
   int number = 0, read = 0;
   double value_uv = 0;

@@ -1,4 +1,4 @@
-// facenav rig new|check|list: camera pairs kept under a name, with locked settings and calibration, and
+// facenav rig new|check|list: camera pairs stored under a name, with locked settings and calibration, and
 // checked again.
 
 #include <cstdio>

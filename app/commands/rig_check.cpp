@@ -1,4 +1,4 @@
-// facenav rig check: does the calibration still hold?
+// facenav rig check: tests whether the calibration is still valid.
 
 #include <cstdio>
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 
 using CheckJson = nlohmann::ordered_json;
 
-constexpr int kMostFrames = 60;  // of a recording that are looked at
+constexpr int kMostFrames = 60;  // frames of a recording that are used
 
 using FrameTaker = std::function<void(const cameras::StereoFrame&)>;
 

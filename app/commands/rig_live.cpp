@@ -1,4 +1,4 @@
-// facenav rig new with a board before live cameras: views are chosen by themselves.
+// facenav rig new with a board before live cameras: views are taken automatically.
 
 #include <cstdio>
 
@@ -11,7 +11,7 @@
 namespace facenav::app {
 namespace {
 
-/// Says what to do next, once each.
+/// Prints each prompt once.
 class Prompter {
  public:
   explicit Prompter(bool is_quiet) : is_quiet_(is_quiet) {}

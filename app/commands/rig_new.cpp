@@ -1,4 +1,4 @@
-// facenav rig new: two cameras, their locked settings and their calibration under a name.
+// facenav rig new: stores two cameras, their locked settings and their calibration under a name.
 
 #include <cstdio>
 
@@ -12,9 +12,9 @@
 namespace facenav::app {
 namespace {
 
-constexpr double kTrial_s = 1.0;  // of the pair, for what must be said about it
+constexpr double kTrial_s = 1.0;  // duration of the trial of a pair
 
-/// By the files given; nothing: a live board is wanted.
+/// Reads the calibration from the given files; returns nothing if a live board is wanted.
 std::optional<cameras::StereoRig> fromFilesOf(const RigRequest& request, Context& context) {
   if (!request.calibration.empty()) return cameras::readRig(request.calibration);
   const auto board = boardOf(request);
@@ -32,7 +32,7 @@ std::optional<cameras::StereoRig> fromFilesOf(const RigRequest& request, Context
   return result.rig;
 }
 
-/// Both cameras, locked at what suits this light, in the size of `size`.
+/// Adds both cameras, locked at settings that suit the light, in the size of `size`.
 void addCamerasTo(capture::NamedRig& rig, const cameras::StereoRig& size, const RigRequest& request,
                   const Context& context) {
   const auto& backends = context.registrations.cameras;
@@ -44,7 +44,7 @@ void addCamerasTo(capture::NamedRig& rig, const cameras::StereoRig& size, const 
   rig.right = steps::settledCamera(backends, capture::findCamera(found, request.right_camera), settings);
 }
 
-/// What must be said of the pair.
+/// Tries the pair and prints its warnings.
 void tryOut(const capture::NamedRig& rig, const Context& context) {
   const auto source = capture::openRig(context.registrations.cameras, rig);
   for (const double until_s = Timestamp::now().s + kTrial_s; Timestamp::now().s < until_s;)

@@ -1,5 +1,5 @@
-// facenav series DIR [--json] [--thumbnails OUT] [--patients]: the DICOM series under DIR, one a line, the
-// recommended one first. On request with a small picture of each and the patient's name.
+// facenav series DIR [--json] [--thumbnails OUT] [--patients]: lists the DICOM series under DIR, one a line,
+// the recommended one first. On request with a small picture of each and the patient's name.
 
 #include <algorithm>
 #include <cstdio>
@@ -39,7 +39,7 @@ std::string stateOf(const dicom::SeriesInfo& info) {
 
 using Row = std::vector<std::string>;
 
-/// The patient of each series: "patient 2" if there are several, the name on request.
+/// Names the patient of each series: "patient 2" if there are several, the name on request.
 std::vector<std::string> owners(const std::vector<dicom::SeriesInfo>& series, bool are_named) {
   std::vector<std::string> words(series.size());
   if (!are_named && dicom::patientCount(series) < 2) return words;
@@ -71,7 +71,7 @@ Row rowOf(const dicom::SeriesInfo& info, const std::string& owner) {
           info.id};
 }
 
-/// Each column is as wide as its widest entry; empty columns are left out.
+/// Prints the table. Each column is as wide as its widest entry; empty columns are left out.
 void printTable(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows[0].size());
   for (const Row& row : rows)

@@ -38,7 +38,7 @@ double numberFrom(const std::string& text, const char* what) {
   try {
     const double value = std::stod(text, &end);
     if (end == text.size()) return value;
-  } catch (const std::exception&) {  // no number
+  } catch (const std::exception&) {  // not a number
   }
   throw Error(std::string(what) + " is a number, not '" + text.substr(0, 40) + "'");
 }
@@ -119,7 +119,7 @@ bool SessionCommands::obey(const std::string& line, steps::Treatment& treatment)
   return true;
 }
 
-/// Where the coil's tip is on the MRI's skin, and what a person says of it.
+/// Logs the position of the coil's tip on the MRI's skin with a person's judgement.
 void SessionCommands::judgeTip(const std::string& verdict, steps::Treatment& treatment) {
   if (!tip_check_) tip_check_ = treatment.makeTipCheck();
   const auto reading = steps::readTip(*treatment.session().latest(), treatment.tip(), *tip_check_);
@@ -127,7 +127,7 @@ void SessionCommands::judgeTip(const std::string& verdict, steps::Treatment& tre
   tellReading("tip", *reading, verdict, treatment);
 }
 
-/// The same of a spot in the newest pictures: "left 312 205 right".
+/// Does the same for a spot in the newest pictures: "left 312 205 right".
 void SessionCommands::judgeSpot(const std::string& words, steps::Treatment& treatment) {
   std::istringstream stream(words);
   std::string side, x, y, verdict;
@@ -150,7 +150,7 @@ bool SessionCommands::readInput(steps::Treatment& treatment) {
   while (has_input_ && ::poll(&input, 1, 0) > 0) {
     char buffer[1024];
     const ssize_t size = ::read(STDIN_FILENO, buffer, sizeof buffer);
-    if (size <= 0) has_input_ = false;  // who gave commands has gone; the session goes on
+    if (size <= 0) has_input_ = false;  // standard input has ended; the session continues
     if (size > 0) input_.append(buffer, std::size_t(size));
   }
   for (std::size_t end; (end = input_.find('\n')) != std::string::npos;) {
@@ -169,7 +169,7 @@ bool SessionCommands::readInput(steps::Treatment& treatment) {
 
 namespace {
 
-/// Why the head is withheld until a check passes or for a person's judgement; empty: it is not.
+/// Why the head is withheld until a check passes or a person judges it; empty if it is not.
 std::string headWithheldIn(const session::NavigationState& state) {
   const bool is_told = state.withheld && state.withheld->isOfAlignment();
   return is_told ? monitoring::bannerOf(*state.withheld) : std::string();

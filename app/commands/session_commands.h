@@ -1,6 +1,6 @@
 #pragma once
-// Commands to a running session, line by line on standard input, and what happens in it as JSON lines on
-// standard output: for programs that drive `facenav track --pulses --commands`.
+// Commands to a running session, line by line on standard input, and its events as JSON lines on standard
+// output: for programs that drive `facenav track --pulses --commands`.
 
 #include <string>
 
@@ -8,15 +8,15 @@
 
 namespace facenav::app {
 
-/// For the help text.
+/// Describes the commands for the help text.
 std::string sessionCommandWords();
 
 class SessionCommands {
  public:
   /// `coil_library`: where the command `coil NAME` finds coils.
   explicit SessionCommands(std::filesystem::path coil_library) : coil_library_(std::move(coil_library)) {}
-  /// Takes commands that have come, and tells what is new: pulses that are on the disk (only those: what was
-  /// told survives a crash), checks, losses. Returns at once. False: the session is to end.
+  /// Takes new commands and reports new events: checks, losses, and pulses once they are on the disk, so that
+  /// a reported pulse survives a crash. Returns at once; false if the session must end.
   bool look(steps::Treatment& treatment);
 
  private:

@@ -27,7 +27,7 @@ void SessionTeller::look(const steps::Treatment& treatment) {
   if (has_begun_ && (!is_news || Timestamp::now() - since_ < kLastsAtLeast_s)) return;
   has_begun_ = true;
   told_ = now_;
-  const char* clear = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";  // the line that tells the progress
+  const char* clear = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";  // clears the progress line
   std::fprintf(stderr, "%s%6.1f s: %s\n", clear, treatment.session().elapsed_s(),
                now_.empty() ? "head and coil tracked" : now_.c_str());
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Says on stderr what changes in a running session: head or coil lost and why, found again, a camera that is
-// away and back. One line each; what lasts less than a third of a second is not said.
+// Reports changes of a running session on stderr, one line each: head or coil lost and why, found again, a
+// camera away and back. A change shorter than a third of a second is not reported.
 
 #include <string>
 
@@ -16,9 +16,9 @@ class SessionTeller {
 
  private:
   bool is_quiet_;
-  std::string told_, now_;  // of the newest state: what is wrong; empty: nothing is
+  std::string told_, now_;  // fault last reported, and fault of the newest state; empty if none
   bool has_begun_ = false;
-  Timestamp since_;  // it is so
+  Timestamp since_;  // start of the present fault or its absence
 };
 
 }  // namespace facenav::app

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kKeyboard = "keyboard";
 
-/// A session that was cut off is not forgotten in silence.
+/// Warns of an interrupted session of the case.
 void noteInterrupted(const SessionVerb& verb, const Context& context) {
   if (verb.goes_on || context.is_quiet) return;
   if (const auto session = steps::interruptedSession(verb.case_folder))
@@ -22,7 +22,7 @@ void noteInterrupted(const SessionVerb& verb, const Context& context) {
                  steps::inWords(*session, steps::plannedPulses(verb.case_folder, session->target)).c_str());
 }
 
-/// The cameras are opened by the session, and again whenever they were away.
+/// Lets the session open the cameras, and open them again after each interruption.
 steps::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   LiveChoice choice = verb.live;
   choice.coil = verb.coil;

@@ -15,12 +15,12 @@
 namespace facenav::app {
 
 struct SessionVerb {
-  LiveChoice live;     // its rig alone; empty: a recording is played
-  double seconds = 0;  // of live cameras; 0: until Ctrl-C
+  LiveChoice live;     // only its rig; empty: a recording is played
+  double seconds = 0;  // duration with live cameras; 0: until Ctrl-C
   std::filesystem::path recording, case_folder;
   CoilChoice coil;
   std::string aligner, head_tracker, coil_tracker;  // registered names
-  std::vector<std::string> sources;                 // of pulses
+  std::vector<std::string> sources;                 // sources of pulses
   std::string target, by, reason;
   std::optional<double> intensity_pct;
   bool goes_on = false, has_commands = false;
@@ -29,16 +29,16 @@ struct SessionVerb {
   int passes = 1;
 };
 
-/// --live, --rigs, --seconds.
+/// Adds --live, --rigs, --seconds.
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
-/// --pulses, --intensity, --by, --override, --continue, --session, --commands.
+/// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
-/// Runs until the end, Ctrl-C, or a word from standard input. Says changes (lost, found, a camera that is
-/// away) on stderr, one line each. The session is kept in each case. Throws Error.
+/// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
+/// on stderr, one line each. The session is stored in each case. Throws Error.
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
-/// Pulses, frames and times, in two lines.
+/// Prints pulses, frames and times in two lines.
 void printSession(const steps::TreatRecordingOutcome& outcome);
-/// After what the session gave was written. Throws Error if it ended before its time.
+/// Throws Error if the session ended early. Call it after its results were written.
 void requireWholeSession(const steps::TreatRecordingOutcome& outcome);
 
 }  // namespace facenav::app

@@ -35,7 +35,7 @@ void print(const SettingEntry& entry) {
               setting.help.c_str(), toString(setting.origin).c_str(), setting.evidence.c_str());
 }
 
-/// Throws Error where the module has none, naming those that have.
+/// Entries of a module. Throws Error if it has none, with the names of those that have.
 std::vector<SettingEntry> entriesOf(const SettingsTable& table, const std::string& module) {
   std::vector<SettingEntry> entries;
   std::set<std::string> modules;

@@ -1,5 +1,5 @@
 // facenav locate CASE and facenav target CASE: a place of the brain in MRI and MNI coordinates with its
-// labels, and a new target at that place, or where the coil was held in a session.
+// labels, and a new target at that place, or at the coil's pose in a session.
 
 #include <cstdio>
 
@@ -15,7 +15,7 @@
 namespace facenav::app {
 namespace {
 
-/// A typed place, in one of the two frames.
+/// Typed place, in one of the two frames.
 struct Place {
   std::filesystem::path case_folder;
   std::vector<double> mni_mm, ras_mm;

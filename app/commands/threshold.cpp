@@ -1,5 +1,5 @@
 // facenav threshold CASE: the motor threshold, asked pulse by pulse on the terminal (or by another program,
-// as JSON lines), or from the pulses of a session. Each answer is kept at once.
+// as JSON lines), or from the pulses of a session. Each answer is stored at once.
 
 #include <cmath>
 #include <cstdio>
@@ -25,12 +25,12 @@ struct ThresholdCall {
   bool is_json = false;
 };
 
-/// One line of what a person or a program answers.
+/// One line of answer from a person or a program.
 struct Reply {
   enum class Kind { response, mep, take_back, quit } kind = Kind::response;
   bool has_response = false;
   double mep_uv = 0;
-  std::optional<double> intensity_pct;  // nothing: the one that was asked for
+  std::optional<double> intensity_pct;  // empty: the requested one
 };
 
 [[noreturn]] void refuse(const std::string& line) {
@@ -58,7 +58,7 @@ Reply replyFromJson(const std::string& line) {
   return reply;
 }
 
-/// "y", "no", "120 uV", "y @ 55", "undo", "quit", or a JSON object.
+/// Reads "y", "no", "120 uV", "y @ 55", "undo", "quit", or a JSON object.
 Reply replyFrom(const std::string& line) {
   const auto first = line.find_first_not_of(" \t\r");
   if (first != std::string::npos && line[first] == '{') return replyFromJson(line);
@@ -107,7 +107,7 @@ void show(const ThresholdState& state, const std::string& words, bool is_json) {
   std::fflush(stdout);
 }
 
-/// False: the person stops here.
+/// Applies a reply. Returns false if the person stops here.
 bool take(steps::MotorThreshold& search, const Reply& reply) {
   const double intensity_pct = reply.intensity_pct.value_or(search.state().next_pct.value_or(0));
   if (reply.kind == Reply::Kind::quit) return false;

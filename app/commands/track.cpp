@@ -1,5 +1,5 @@
-// facenav track RECORDING [--case CASE] [--coil coil.json] -o poses.csv; with --pulses as a session of the
-// case, and so with --live RIG in place of the recording
+// facenav track RECORDING [--case CASE] [--coil coil.json] -o poses.csv. With --pulses, or with --live RIG in
+// place of the recording, it runs as a session of the case.
 
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@
 namespace facenav::app {
 namespace {
 
-/// What the session of it shares with plain tracking.
+/// Copies the options that the session shares with plain tracking.
 void fillSession(const steps::TrackRequest& request, SessionVerb& session) {
   session.recording = request.recording;
   session.case_folder = request.case_folder.value_or(std::filesystem::path());

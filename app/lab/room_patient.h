@@ -8,7 +8,7 @@
 
 namespace facenav::app {
 
-/// Reports on stderr (unless quiet) if the scalp was used.
+/// Makes the patient. Reports on stderr (unless quiet) if the scalp was used.
 room::VirtualPatient roomPatient(Context& context, const casefile::CaseStore& store,
                                  const room::PatientOptions& options);
 

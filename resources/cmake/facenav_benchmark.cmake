@@ -1,7 +1,7 @@
 # facenav_add_benchmark(NAME n SOURCES a_benchmark.cpp .. MODULES m .. [LIBS ..] [ORDER k])
-# One program that prints Markdown tables; `./facenav.sh benchmark` builds and runs them all. It may look into
-# the modules' src folders (a kernel is timed apart from its module) and into testing/. Left out in sight when
-# FACENAV_ONLY left out a module that it needs.
+# One program that prints Markdown tables; `./facenav.sh benchmark` builds and runs them all. It may include
+# the modules' src folders (a kernel is timed apart from its module) and testing/. Skipped with a message if
+# FACENAV_ONLY excludes a module that it needs.
 add_custom_target(facenav_benchmarks)
 file(WRITE ${PROJECT_BINARY_DIR}/benchmarks.txt "")
 function(facenav_add_benchmark)

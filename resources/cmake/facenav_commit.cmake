@@ -1,6 +1,6 @@
 # cmake -DGIT=git -DSOURCE_DIR=dir -DOUTPUT=software_commit.cpp -P facenav_commit.cmake
 # Writes the source of app/software_commit.h and, beside it, the dependency file that names the files of git that
-# change with each commit and checkout. Without git, or where SOURCE_DIR is no checkout of its own: "unknown".
+# change with each commit and checkout. Without git, or if SOURCE_DIR is not a checkout: "unknown".
 set(commit unknown)
 set(depends "")
 

@@ -1,8 +1,8 @@
 # facenav_add_kernel(NAME src/a_kernel [OPTIONS flags of both files])
 # Adds a_kernel_base.cpp and a_kernel_avx2.cpp to the target facenav_<folder of this CMakeLists.txt>: inner loops
 # for two instruction sets, chosen at run time (facenav/core/simd.h). Both get -O3 in every build type but
-# Debug: their loops are written for the vectoriser. Where the compiler has no AVX2, the second file is
-# compiled as the first, and never chosen.
+# Debug: their loops are written for the vectoriser. If the compiler has no AVX2, the second file is
+# compiled as the first and never chosen.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag("-mavx2 -mfma" FACENAV_HAS_AVX2_FLAG)
 set(FACENAV_OPTIMISED "$<$<NOT:$<CONFIG:Debug>>:-O3>")

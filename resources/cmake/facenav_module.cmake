@@ -1,8 +1,8 @@
 # facenav_add_module(NAME m SOURCES a.cpp .. [DEPENDS lower modules] [LIBS public third party] [PRIVATE_LIBS ..])
 # One static library facenav_<m> with its own public include folder. A DEPENDS that was not added before is
 # an error: modules are added bottom-up, so a cycle cannot be written.
-# COLD: its code runs seldom or waits for files, screens and people: compiled with -O1, which takes a fifth less time.
-# Without SOURCES the module is headers only. UNITY n: so many files are compiled together (default: CMakeLists.txt); fewer where names of more files clash.
+# COLD: for code that runs seldom or waits for files, screens and people; compiled with -O1, a fifth faster to build.
+# Without SOURCES the module is headers only. UNITY n: number of files compiled together (default: CMakeLists.txt); smaller if names clash.
 function(facenav_compile_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

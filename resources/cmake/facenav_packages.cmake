@@ -17,7 +17,7 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d objde
 find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters)
 find_package(dlib REQUIRED)
 find_package(embree 3 REQUIRED)
-# Optional: GenICam and IEEE 1394 cameras (without them they are not listed), and pulses by the sound of the coil's click.
+# Optional: GenICam and IEEE 1394 cameras (without them they are not listed), and pulses detected by the coil's click.
 find_package(PkgConfig)
 if(PKG_CONFIG_FOUND)
   pkg_check_modules(ARAVIS IMPORTED_TARGET aravis-0.8)
@@ -25,7 +25,7 @@ if(PKG_CONFIG_FOUND)
   pkg_check_modules(ALSA IMPORTED_TARGET alsa)
   pkg_check_modules(SNDFILE IMPORTED_TARGET sndfile)
 endif()
-# glibc needs no -pthread. A unit that is compiled with it cannot use the precompiled headers.
+# Removes -pthread, which glibc does not need: a unit compiled with it cannot use the precompiled headers.
 foreach(package ARAVIS DC1394 ALSA SNDFILE)
   if(TARGET PkgConfig::${package})
     get_target_property(options PkgConfig::${package} INTERFACE_COMPILE_OPTIONS)

@@ -1,5 +1,5 @@
 # GoogleTest programs, and their entries in ctest. An entry is one process with the tests of a module or of a file:
-# a process for each test would start 2400 times, and would compute again what the tests of a file share.
+# a process for each test would start 2400 times and repeat the shared computations of a file.
 # The tests' own code is compiled with -O1: a third less time than -O3. The modules under test keep their level.
 set(FACENAV_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 
@@ -46,8 +46,8 @@ function(facenav_test_entry)
 endfunction()
 
 # facenav_test_entries(NAME n PROGRAM p SOURCES .. [APART "a_test.cpp|why" ..] [FULL "b_test.cpp|why" ..] [.. of every entry])
-# One entry `n` for all files, but one each (`n/a`) for those of APART and FULL. `why` says what takes its time and
-# becomes a label. FULL: the full tier alone runs it (`./facenav.sh test --full`).
+# One entry `n` for all files, but one each (`n/a`) for those of APART and FULL. `why` names what takes time and
+# becomes a label. FULL: only the full tier runs it (`./facenav.sh test --full`).
 function(facenav_test_entries)
   cmake_parse_arguments(E "ALONE" "NAME;PROGRAM;TIMEOUT;LOCK" "SOURCES;LABELS;ENVIRONMENT;APART;FULL" ${ARGN})
   set(common "")
@@ -123,7 +123,7 @@ endfunction()
 
 # facenav_add_unit_tests(SOURCES a_test.cpp .. [MODULES others ..] [PRIVATE modules ..] [LIBS ..] [SUPPORT ..] [APART ..] [FULL ..])
 # The tests of the module that this folder is named after (testing/unit/<folder>/<module>). They become part of the
-# program <folder>_test. PRIVATE: modules whose src folder the tests may look into. SUPPORT: parts of testing/support
+# program <folder>_test. PRIVATE: modules whose src folder the tests may include. SUPPORT: parts of testing/support
 # that are compiled once.
 function(facenav_add_unit_tests)
   cmake_parse_arguments(T "ALONE" "TIMEOUT;UNITY;LOCK" "SOURCES;MODULES;PRIVATE;LIBS;LABELS;SUPPORT;APART;FULL;ENVIRONMENT" ${ARGN})

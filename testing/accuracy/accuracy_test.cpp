@@ -1,6 +1,6 @@
-// The accuracy goals, on short seeded sequences of the virtual room. They keep what has been reached. The
-// limits are the goals themselves; `facenav evaluate` without --frames measures them on longer sequences,
-// also on other heads and rigs.
+// The accuracy goals, on short seeded sequences of the virtual room, as regression tests. The limits are the
+// goals themselves; `facenav evaluate` without --frames measures them on longer sequences, also on other
+// heads and rigs.
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ EvaluationTable evaluated(const std::string& arguments, const TemporaryFolder& f
   return EvaluationTable(out / "evaluation.csv");
 }
 
-/// Values exist, and none exceeds the limit.
+/// Expects that values exist, and that none exceeds the limit.
 void expectWithin(const std::vector<double>& values, double limit, const std::string& what) {
   EXPECT_THAT(values, Not(IsEmpty())) << what;
   EXPECT_THAT(values, Each(Le(limit))) << what;

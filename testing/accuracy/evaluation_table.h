@@ -39,7 +39,7 @@ class EvaluationTable {
     }
   }
 
-  /// One figure of all runs of a scenario ("": of all runs), where it was measured.
+  /// Values of one figure over all runs of a scenario ("": of all), where it was measured.
   std::vector<double> figure(const std::string& scenario, const std::string& name) const {
     std::vector<double> values;
     for (const auto& row : rows_)

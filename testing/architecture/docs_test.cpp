@@ -33,7 +33,7 @@ std::vector<fs::path> pages() {
   return found;
 }
 
-/// The help of each verb under its words, "facenav rig new", as the program prints it.
+/// Help of each verb under its words, "facenav rig new", as the program prints it.
 const std::map<std::string, std::string>& helpOfVerbs() {
   static const auto all = [] {
     std::map<std::string, std::string> help;
@@ -66,7 +66,7 @@ std::vector<std::string> matches(const std::string& text, const std::regex& expr
 
 const std::regex kLink(R"(\]\(([^)\s]+)\))");
 
-/// The rows of the manual's table of verbs: verb -> pages named in its row.
+/// Rows of the manual's table of verbs: verb -> pages named in its row.
 std::map<std::string, std::vector<std::string>> tableOfVerbs() {
   static const std::regex kRow(R"(^\| `facenav ([a-z-]+)` \|)");
   std::map<std::string, std::vector<std::string>> table;
@@ -95,7 +95,7 @@ bool hasAnchor(const fs::path& page, const std::string& anchor) {
   return false;
 }
 
-/// What is wrong with a link of this page; empty: nothing.
+/// Fault of a link of this page; empty if there is none.
 std::string faultOf(const std::string& link, const fs::path& page) {
   if (link.find("://") != std::string::npos) return {};
   const auto hash = link.find('#');
@@ -116,7 +116,7 @@ std::vector<std::string> commandsOf(const fs::path& page) {
   return commands;
 }
 
-/// The longest verb that the command begins with; empty: none.
+/// Longest verb that the command begins with; empty if there is none.
 std::string verbOf(const std::string& command) {
   std::string known, words;
   std::istringstream stream(command);

@@ -1,5 +1,5 @@
-// Every source of the project has the format that .clang-format states. The tool is clang-format of
-// Debian 12.
+// Checks that every source of the project has the format of .clang-format. The tool is clang-format of Debian
+// 12.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
-// The layering as a test: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in
-// the command line tool. The table is read from modules/README.md.
+// Checks the layering: who may include whom, no Qt below ui, no GDCM or PCL in a public header, no Qt in the
+// command line tool. The table is read from modules/README.md.
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 
 const fs::path kModules = fs::path(FACENAV_SOURCE_DIR) / "modules";
 
-/// A module, where it lies, and its place in the order of the layers.
+/// Module with its folder and its place in the order of the layers.
 struct Module {
   std::string name, folder;
   fs::path path() const { return kModules / folder / name; }
 };
 
-/// The table of modules/README.md, lowest module first: lines "modules/<folder>/  module module ..", the
-/// lowest folder last.
+/// Reads the table of modules/README.md, lowest module first: lines "modules/<folder>/  module module ..",
+/// the lowest folder last.
 std::vector<Module> readTable() {
   static const std::regex kLine(R"(^modules/([a-z]+)/ +([a-z_]+(?: [a-z_]+)*))");
   std::vector<std::vector<Module>> folders;
@@ -95,7 +95,7 @@ TEST(Layers, ModulesIncludeOnlyThoseBelowThem) {
   }
 }
 
-/// The clinic's programs must not carry the laboratory.
+/// The clinic's programs must not link the laboratory.
 TEST(Layers, NobodyOutsideTheLabIncludesIt) {
   std::set<std::string> lab;
   for (const Module& module : modules())
@@ -104,7 +104,7 @@ TEST(Layers, NobodyOutsideTheLabIncludesIt) {
   for (const char* part : {"app", "ui"})
     for (const auto& file : sourcesUnder(fs::path(FACENAV_SOURCE_DIR) / part)) {
       const std::string path = fs::relative(file, FACENAV_SOURCE_DIR).string();
-      if (path.rfind("app/lab", 0) == 0 && path != "app/lab_program.cpp") continue;  // facenav-lab's own
+      if (path.rfind("app/lab", 0) == 0 && path != "app/lab_program.cpp") continue;  // part of facenav-lab
       for (const auto& include : includesOf(file)) {
         std::smatch match;
         if (std::regex_search(include, match, kOurs))
@@ -139,7 +139,7 @@ TEST(Layers, DicomFilesAreReadByGdcmAndTheNetworkIsDcmtk) {
       }
 }
 
-/// No line of any module but `home` may match.
+/// Expects that no line of any module but `home` matches.
 void expectOnlyIn(const std::string& home, const std::regex& forbidden) {
   for (const Module& module : modules()) {
     if (module.name == home) continue;
@@ -153,7 +153,8 @@ void expectOnlyIn(const std::string& home, const std::regex& forbidden) {
 }
 
 TEST(Layers, OnlyCoreStartsProcessesAndSharesOutLoops) {
-  // core/child_process.h and core/parallel_for.h keep rules (no orphan, priority) that others would not.
+  // core/child_process.h and core/parallel_for.h enforce rules (no orphan, priority) that other code would
+  // not.
   expectOnlyIn("core", std::regex(R"(\b(cv::parallel_for_|fork\(\)|posix_spawn|popen\()|#\s*pragma omp)"));
 }
 

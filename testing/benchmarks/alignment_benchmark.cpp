@@ -50,8 +50,8 @@ PclCloud::Ptr toPcl(const std::vector<Eigen::Vector3d>& points, const std::vecto
   return cloud;
 }
 
-/// PCL moves the face onto the skin: mri_T_camera. Its target (with the tree) is set once per case, like our
-/// field.
+/// Runs a PCL method, which moves the face onto the skin: mri_T_camera. Its target (with the tree) is set
+/// once per case, like our field.
 template <class Method>
 PoseMaybe runPcl(Method& method, const PclCloud::Ptr& face, const Eigen::Isometry3d& camera_T_mri) {
   method.setInputSource(face);
@@ -181,7 +181,7 @@ class AlignmentBenchmark {
     print("pcl::GeneralizedIterativeClosestPoint", gicp, ours_ms);
   }
 
-  /// Ours alone, from many random starts: how often is it lost? Misfit moves even the best pose by
+  /// Counts how often our alignment is lost from many random starts. Misfit moves even the best pose by
   /// millimetres, so the result is compared with the fit that starts from the true pose.
   void starts(double turn_deg, double shift_mm, int trials) {
     const Eigen::Vector3d nose = anatomy::findNoseTip(skin_.points.points_mm);
@@ -208,7 +208,7 @@ class AlignmentBenchmark {
   }
 
  private:
-  /// The registration alone, which is what the peers do.
+  /// Runs only the registration, which is what the peers do.
   PoseMaybe fitOnly(const Trial& trial, const registration::AlignmentStart& start) const {
     const auto fit = registration::fitFromGuess(*scalp_, trial.face, start);
     if (!fit) return {};

@@ -259,7 +259,7 @@ void compare(const Conditions& conditions, int count) {
 #endif
 }
 
-/// Frames without the marker: the cost of a lost coil.
+/// Prints the cost of frames without the marker.
 void printLost(const cameras::StereoRig& rig, int count) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(rig, defaultCoil());

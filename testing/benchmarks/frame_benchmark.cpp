@@ -81,7 +81,7 @@ Pass coilPass(const Film& film, coil_tracking::CoilTracker& tracker, Clock clock
   });
 }
 
-/// Head and coil as the session tracks them, with a shared work budget. Every `forget_every` frames (if not
+/// Tracks head and coil as the session does, with a shared work budget. Every `forget_every` frames (if not
 /// 0) both are lost: time jumps so far that no prediction is valid.
 Pass bothPass(const Film& film, head_tracking::HeadTracker& head, coil_tracking::CoilTracker& coil,
               Clock clock, int forget_every = 0) {

@@ -51,7 +51,7 @@ struct Cost {
   }
 };
 
-/// The smallest time of each over `runs` runs.
+/// Smallest time of each over `runs` runs.
 template <class Work>
 Cost costOf(Work work, int runs = 5) {
   Cost best{1e12, 1e12};
@@ -110,7 +110,7 @@ void timeFolder(const fs::path& folder) {
   if (!used.empty()) printRow(folder, used.size(), "load", load, costOf([&] { gdcmVoxels(used); }, 3));
 }
 
-/// A volume of `size`^2 x `slices` that compresses poorly.
+/// Makes a volume of `size`^2 x `slices` that compresses poorly.
 volume::Volume madeVolume(int size, int slices, unsigned seed) {
   volume::Volume volume;
   volume.grid.size = {size, size, slices};
@@ -121,8 +121,8 @@ volume::Volume madeVolume(int size, int slices, unsigned seed) {
   return volume;
 }
 
-/// 45 series of 100 slices, a tenth of the slices twice, with other files between them; 40 files a folder,
-/// two levels.
+/// Makes 45 series of 100 slices, a tenth of the slices twice, with other files between them; 40 files a
+/// folder, two levels.
 void makeMixed(const fs::path& folder) {
   constexpr int kSeries = 45, kSlices = 100, kPapers = 50, kPerFolder = 40;
   const fs::path once = folder.string() + ".once";

@@ -21,14 +21,14 @@ namespace facenav::benchmarks {
 
 constexpr double kFramesPerSecond = 60.0;
 
-/// Of the calling thread.
+/// Processor time of the calling thread.
 inline double threadTime_ms() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
-/// Of the frames since the last take(): wall clock of head and coil, and all of the tracking thread's
+/// Times of the frames since the last take(): wall clock of head and coil, and all of the tracking thread's
 /// processor time.
 struct Times {
   std::vector<double> wall_ms, thread_ms;
@@ -113,7 +113,7 @@ class MeteredCoil : public coil_tracking::CoilTracker {
   std::shared_ptr<Meter> meter_;
 };
 
-/// Pulses by the frames' own clock.
+/// Source of pulses by the frames' own clock.
 class FilmPulses : public links::PulseSource {
  public:
   std::string name() const override { return "film"; }
@@ -155,11 +155,11 @@ inline Film filmOf(const std::filesystem::path& recording) {
 struct FilmOrder {
   std::int64_t frames = 0;
   bool is_paced = true;        // 60 frames a second; else the next one as soon as the last one is tracked
-  std::int64_t train_of = 40;  // pulses, 10 a second; 0: none
+  std::int64_t train_of = 40;  // pulses of a train, 10 a second; 0: none
   std::int64_t pause = 0;      // pulses that are left out after a train
 };
 
-/// Plays it forwards and backwards.
+/// Source that plays a film forwards and backwards.
 class FilmSource : public capture::FrameSource {
  public:
   FilmSource(const Film& film, const FilmOrder& order, std::shared_ptr<Meter> meter,

@@ -1,7 +1,7 @@
-// What a whole session costs the tracking of a frame: plain tracking beside a session with everything on
+// Cost of a whole session for the tracking of a frame: plain tracking beside a session with everything on
 // (guidance, log, pulses at 10 Hz with both pictures, drift watchdog, gap by stereo, checks of the
 // registration, camera overlays with the skin, two coil slices 20 times a second), in turn on the same
-// recording. With `--frames N` instead: N frames as fast as they go, with memory and times block by block.
+// recording. With `--frames N` instead: N frames as fast as possible, with memory and times block by block.
 
 #include <atomic>
 #include <cstdio>
@@ -46,7 +46,7 @@ struct Places {
   fs::path case_folder, recording;
 };
 
-/// The virtual patient as a case with a target, and a recording of a treatment.
+/// Makes the virtual patient's case with a target, and a recording of a treatment.
 void make(const steps::Registrations& methods, const Places& places) {
   TaskMonitor monitor;
   steps::PrepareRequest request;
@@ -67,7 +67,7 @@ void make(const steps::Registrations& methods, const Places& places) {
   room::simulate(options, patient, target.mri_T_target, places.recording, monitor);
 }
 
-/// What all runs share.
+/// Data shared by all runs.
 struct Stage {
   steps::Registrations methods;
   casefile::CaseStore store;
@@ -102,7 +102,7 @@ Stage stageOf(const Places& places, steps::Registrations all) {
   return {std::move(all), store, recording, filmOf(places.recording), outcome, seen, slices, target};
 }
 
-/// Head and coil, and nothing else.
+/// Tracks head and coil, and nothing else.
 void runPlain(const Stage& stage, const FilmOrder& order, const std::shared_ptr<Meter>& meter) {
   session::NavigatorSetup setup;
   setup.rig = stage.film.rig;
@@ -119,7 +119,7 @@ void runPlain(const Stage& stage, const FilmOrder& order, const std::shared_ptr<
   while (!session.hasEnded()) session.take(std::chrono::milliseconds(50));
 }
 
-/// What the window does beside the frames.
+/// Work that the window does beside the frames.
 class Window {
  public:
   explicit Window(const Stage& stage) : stage_(stage), overlays_([this](const auto&) { ++overlays_drawn; }) {}
@@ -154,7 +154,7 @@ class Window {
   const Stage& stage_;
   double overlay_s_ = 0, slices_s_ = 0;
   std::int64_t checked_minute_ = -1;
-  pictures::OverlayWorker overlays_;  // last: its thread ends first
+  pictures::OverlayWorker overlays_;  // last, because its thread must end first
 };
 
 struct Counted {

@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     readAll(bytes, size);
   } catch (const facenav::Error&) {
-    // the one allowed way to fail
+    // the only allowed failure
   }
   return 0;
 }

@@ -1,5 +1,5 @@
-// SCREENS.md as checks: the contrast of every text colour in the style sheet, the size of text to be read
-// from two metres, and that every button has text, a tooltip and a way to press it by keyboard.
+// Checks the window's appearance: the contrast of every text colour in the style sheet, the size of text to
+// be read from two metres, and that every button has text, a tooltip and a way to press it by keyboard.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ double luminance(const QColor& colour) {
   return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
-/// WCAG 2.1.
+/// Contrast ratio by WCAG 2.1.
 double contrast(const QColor& a, const QColor& b) {
   const double la = luminance(a), lb = luminance(b);
   return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
@@ -77,7 +77,7 @@ TEST(Appearance, TreatIsReadFromTwoMetres) {
     figures += is_figure;
     EXPECT_GE(pointSize(*label), is_figure ? 48.0 : 14.0) << label->text().toStdString();
   }
-  EXPECT_EQ(figures, 6);  // of the coil on the target, and of its tip on the skin
+  EXPECT_EQ(figures, 6);  // figures of the coil on the target, and of its tip on the skin
   for (const auto* button : treat->findChildren<QAbstractButton*>()) {
     button->ensurePolished();
     EXPECT_GE(pointSize(*button), 14.0) << button->text().toStdString();

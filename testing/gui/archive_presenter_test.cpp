@@ -13,7 +13,7 @@
 namespace facenav::ui {
 namespace {
 
-/// An archive with two series, used through the presenter only.
+/// An archive with two series, used only through the presenter.
 class ArchiveTest : public ::testing::Test {
  protected:
   ArchiveTest() {

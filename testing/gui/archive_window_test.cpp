@@ -1,5 +1,5 @@
-// The radiographer's way from the hospital's archive to a case, by mouse and keyboard alone: the real window
-// with its real services, a real archive (Orthanc), a real MRI.
+// Takes a series from the hospital's archive to a case by mouse and keyboard alone: the real window with its
+// real services, a real archive (Orthanc), a real MRI.
 
 #include <gmock/gmock.h>
 
@@ -43,7 +43,7 @@ class ArchiveHand {
       if (button->text() == words && button->isEnabled()) return QTest::mouseClick(button, Qt::LeftButton);
     FAIL() << "no button " << words;
   }
-  /// What the page says when the archive has answered.
+  /// Waits for the archive's answer and returns its words on the page.
   std::string answer() {
     fixtures::waitFor([&] { return button("Find").isEnabled(); });
     return said().toStdString();

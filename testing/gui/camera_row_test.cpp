@@ -36,7 +36,7 @@ std::shared_ptr<const pictures::DrawnOverlay> redPictureOf(const session::Naviga
   return drawn;
 }
 
-/// Checks the middle of the left and of the right view.
+/// Returns true if the middle of both views is red.
 bool isRed(CameraRow& row) {
   const QImage image = row.grab().toImage();
   const int middle = image.height() / 2;
@@ -128,7 +128,7 @@ TEST_F(CameraRowTest, NoPictureOfASessionComesBackIntoThePreview) {
   row_.showPlain(frame);
   row_.showDrawn(redPictureOf(tracked));
   EXPECT_FALSE(isRed(row_));
-  row_.follow(shared(tracked));  // no preview stays behind a session
+  row_.follow(shared(tracked));  // no preview remains after a session
   EXPECT_NE(row_.grab().toImage().pixelColor(150, 120).red(), 90);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fakes = session::fakes;
 
-/// Frames with the current time, ten milliseconds apart, until it is told to fail.
+/// Source of frames with the current time, ten milliseconds apart, until it is made to fail.
 class FakeCameras : public capture::FrameSource {
  public:
   FakeCameras(std::shared_ptr<std::atomic<int>> open, std::shared_ptr<std::atomic<bool>> unplugged,
@@ -97,7 +97,7 @@ class CamerasTest : public ::testing::Test {
     settle();
     ASSERT_TRUE(treat_->isAligned());
   }
-  /// Nothing starts, and the window says what to do.
+  /// Expects that nothing starts, and that the window shows what to do.
   void expectRefused() {
     EXPECT_FALSE(treat_->canAlign());
     EXPECT_FALSE(treat_->canGoOn());
@@ -110,7 +110,7 @@ class CamerasTest : public ::testing::Test {
     treat_->align(false);
     EXPECT_TRUE(refused_.contains("chosen now: open the cameras again")) << refused_.toStdString();
   }
-  /// From the two images to running trackers.
+  /// Goes from the two images to running trackers.
   void guide() {
     ASSERT_NO_FATAL_FAILURE(takeBoth());
     treat_->align(true);
@@ -206,7 +206,7 @@ TEST_F(CamerasTest, ANamedRigBringsItsCamerasSettingsAndCalibration) {
   EXPECT_TRUE(cameras().rigWords().contains("last check: the calibration holds"));
   plugged_in_.clear();
   cameras().refreshDevices();
-  EXPECT_EQ(cameras().rigName(), "bar");  // plugged in again, it is there
+  EXPECT_EQ(cameras().rigName(), "bar");  // chosen again after it is plugged in
   cameras().open();
   ASSERT_TRUE(fixtures::waitFor([&] { return cameras().isWell(); }));
   EXPECT_EQ(opened_, std::make_pair(kRight.toStdString(), kLeft.toStdString()));
@@ -298,7 +298,7 @@ TEST_F(CamerasTest, WithOtherCamerasChosenSinceNothingIsAlignedOrGuided) {
   cameras().swapSides();
   EXPECT_TRUE(cameras().words().contains("open the cameras again"));
   expectRefused();
-  cameras().swapSides();  // as they were opened
+  cameras().swapSides();  // exchanged back to the opened choice
   EXPECT_TRUE(treat_->canAlign());
   EXPECT_TRUE(treat_->canGoOn());
   treat_->start();

@@ -90,7 +90,7 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   edit_.setTool(EditTool::brush);
   stroke(pixel(44, 0), pixel(48, 0));
   ASSERT_TRUE(edit_.hasUnsaved());
-  EXPECT_FALSE(model_.mayBeTreated());  // nobody has checked the mask that is shown now
+  EXPECT_FALSE(model_.mayBeTreated());  // the mask shown now is unchecked
   edit_.save();
   settle();
   EXPECT_FALSE(edit_.hasUnsaved());
@@ -125,7 +125,7 @@ TEST_F(EditPresenterTest, ACheckedCaseIsCheckedNoMoreFromTheFirstStrokeAndAgainO
   EXPECT_TRUE(sign_off.volumes()[0].words.contains("not saved"));
   sign_off.setName("XY");
   for (int i = 0; i < sign_off.items().size(); ++i) sign_off.setSeen(i, true);
-  EXPECT_FALSE(sign_off.canSign());  // the shown mask is not the one that would be signed
+  EXPECT_FALSE(sign_off.canSign());  // the shown mask differs from the one that would be signed
   EXPECT_TRUE(sign_off.whatIsMissing().contains("save or discard"));
   edit_.discard();
   EXPECT_TRUE(sign_off.holds());

@@ -27,7 +27,7 @@ using namespace treat_fixtures;
 using Stage = HomePresenter::Stage;
 namespace fs = std::filesystem;
 
-/// Trackers that see what the test says.
+/// Measurements that the trackers return, set by the test.
 struct Seen {
   std::atomic<bool> head{true}, coil{true};
 };
@@ -48,7 +48,7 @@ class SeenCoil : public coil_tracking::CoilTracker {
   fakes::Coil coil_;
 };
 
-/// `off`: of the coil from the target, in the coil's axes.
+/// Makes the services. `off`: offset of the coil from the target, in the coil's axes.
 Services homeServices(std::shared_ptr<Seen> seen, const Eigen::Vector3d& off_mm = Eigen::Vector3d::Zero(),
                       const std::string& refusal = {}) {
   Services services = fakeServices();
@@ -76,7 +76,7 @@ fs::path writeCapturedRecording(const fs::path& folder) {
   return folder / "recording";
 }
 
-/// As imported: a face, the expert's pose under the coil, the coil.
+/// Writes a case as imported: a face, the expert's pose under the coil, the coil.
 fs::path writeHomeCase(const fs::path& folder) {
   const auto store = casefile::CaseStore::createFromFace(
       folder / "home", {testing::ballCase().scalp, {"no MRI"}, {}, {}}, {}, false);

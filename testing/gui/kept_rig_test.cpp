@@ -1,5 +1,5 @@
-// A kept rig in the window: it is verified when its cameras open, and one that has moved is neither aligned
-// nor guided with. And the first page of the set-up with every kind of connected cameras.
+// A kept rig in the window: it is verified when its cameras open, and one that has moved is used neither for
+// alignment nor for guidance. And the first page of the set-up with every kind of connected cameras.
 // FACENAV_GUI_PICTURES=DIR keeps images.
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ class KeptRig : public ::testing::Test {
                                                       verifying.told);
     };
   }
-  /// What the check found.
+  /// Sets the result of the check.
   void tell(RigState state, const std::string& geometry) {
     steps::RigStart found;
     found.state = state;
@@ -215,7 +215,7 @@ TEST_F(KeptRigTreat, AFaultThatWasNotRepairedIsInForceAtOnce) {
   EXPECT_FALSE(treat_.canAlign());
 }
 
-/// The cameras are opened anew for the session: what is found then blanks it.
+/// A fault found when the session opens the cameras anew blanks its poses.
 TEST_F(KeptRigTreat, ASessionWithCamerasThatMovedShowsNoPose) {
   ASSERT_NO_FATAL_FAILURE(open(treat_));
   takeBoth();

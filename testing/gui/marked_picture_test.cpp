@@ -1,4 +1,4 @@
-// The picture for an alignment without a projector, in the window's step 1: taken by itself when the coil's
+// The picture for an alignment without a projector, in the window's step 1: automatic capture when the coil's
 // marker rests beside the face.
 
 #include <gtest/gtest.h>

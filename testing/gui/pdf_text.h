@@ -14,7 +14,7 @@ struct PdfObjects {
 };
 
 inline std::string inflated(const std::string& bytes) {
-  // qUncompress wants the size of the result first; 16 MiB are enough for any page.
+  // qUncompress needs the size of the result first; 16 MiB are enough for any page.
   QByteArray packed;
   packed.append(char(1)).append(char(0)).append(char(0)).append(char(0));
   packed.append(bytes.data(), int(bytes.size()));

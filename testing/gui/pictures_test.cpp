@@ -69,7 +69,7 @@ class PlayedCameras : public capture::FrameSource {
   std::int64_t number_ = 0;
 };
 
-/// One job that stops half-way, one that fails.
+/// Services with one job that stops half-way and one that fails.
 Services exampleServices() {
   Services services;
   services.listSeries = [](const std::filesystem::path& folder, TaskMonitor&) {
@@ -116,7 +116,7 @@ QAbstractButton* buttonNamed(MainWindow& window, const QString& text) {
   return nullptr;
 }
 
-/// Cortex at three depths and the distance map; prints the time of one step of the slider.
+/// Takes the cortex at three depths and the distance map; prints the time of one step of the slider.
 void takeBrainLooks(MainWindow& window, Pictures& shots) {
   auto* panel = window.findChild<BrainLookPanel*>();
   ASSERT_NE(panel, nullptr);
@@ -151,7 +151,7 @@ void takeBrainLooks(MainWindow& window, Pictures& shots) {
   looks[0]->click();
 }
 
-/// The scalpel's line on the 3-D view of Check & edit, and the result of the cut.
+/// Takes the scalpel's line on the 3-D view of Check & edit, and the result of the cut.
 void takeScalpel(MainWindow& window, Pictures& shots) {
   auto* scalpel = buttonNamed(window, "Scalpel");
   ASSERT_NE(scalpel, nullptr);
@@ -188,7 +188,7 @@ void takeCameras(MainWindow& window, Pictures& shots, const std::string& recordi
   shots.take("6_treat_cameras_live");
 }
 
-/// The poses in truth/`name`.csv, by frame.
+/// Reads the poses in truth/`name`.csv, by frame.
 template <class To, class From>
 std::vector<RigidTransform<To, From>> readTruth(const std::filesystem::path& recording,
                                                 const std::string& name) {

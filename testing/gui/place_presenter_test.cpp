@@ -8,7 +8,7 @@
 namespace facenav::ui {
 namespace {
 
-/// MNI = RAS shifted by (2, 0, 0) and one label over x < 0.
+/// Case in which MNI = RAS shifted by (2, 0, 0), with one label over x < 0.
 class PlacePresenterTest : public ::testing::Test {
  protected:
   PlacePresenterTest() : place_(services_, model_) {

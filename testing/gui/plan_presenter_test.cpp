@@ -241,7 +241,7 @@ TEST_F(PlanPresenterTest, APlaceOutsideTheHeadBecomesNoTargetAndIsSaidInOneLine)
   EXPECT_NEAR(presenter_.plan().targets[0].cortex_point.mm.x(), 40.0, 4.0);
 }
 
-/// The same on a case with a brain, and a head whose landmarks are set by hand.
+/// The presenter on a case with a brain, and a head whose landmarks are set by hand.
 class PlannedHeadTest : public PlanPresenterTest {
  protected:
   PlannedHeadTest() : head_(model_) {

@@ -38,7 +38,7 @@ class PlanViews : public ::testing::Test {
   QString refusal_;
 };
 
-/// The coil at the target, seen by a camera.
+/// State with the coil at the target, seen by a camera.
 session::NavigationState stateAt(const guidance::Target& target) {
   session::NavigationState state;
   const auto camera_T_mri = session::fakes::cameraAtReference();

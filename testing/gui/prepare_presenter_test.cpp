@@ -70,7 +70,7 @@ TEST_F(PreparePresenterTest, OfOnePatientNothingIsSaidUnlessAsked) {
   EXPECT_TRUE(presenter_.lines()[0].patient.startsWith("Doe, Jane"));
 }
 
-/// Slices with UIDs of their own, read whole or as two scans.
+/// Readings of slices with UIDs of their own: as one scan or as two.
 std::vector<dicom::SeriesInfo> readings() {
   std::vector<dicom::SeriesInfo> series{seriesOf(1), seriesOf(1), seriesOf(1)};
   dicom::JoinedSlices joined;

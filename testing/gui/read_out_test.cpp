@@ -47,7 +47,7 @@ TEST(ReadOut, BlanksEveryFigureWhenLostOrStale) {
     EXPECT_TRUE(out.predicted.isEmpty());
     EXPECT_EQ(out.level, Level::lost);
     EXPECT_FALSE(out.instruction.isEmpty());
-    // What is wrong and what to do, no code.
+    // The tip has the problem and what to do, no code.
     EXPECT_TRUE(out.face.tip.contains(": ")) << out.face.tip.toStdString();
     EXPECT_EQ(out.face.tip.indexOf('_'), -1);
   }

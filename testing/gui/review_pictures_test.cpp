@@ -35,15 +35,15 @@ void giveTrains(MainWindow& window) {
   ASSERT_TRUE(pulse);
   QElapsedTimer clock;
   clock.start();
-  // 10 Hz, from a second after the start on.
+  // Pulses at 10 Hz, from a second after the start on.
   for (int i = 0; i < kPulses && window.treat().isRunning(); ++i) {
     fixtures::waitFor([&] { return clock.elapsed() >= 1000 + 100 * i; }, 60000);
     emit pulse->pressed();
   }
 }
 
-/// MEPs for the single pulses of a hunt: larger, the nearer the coil is to the target; on a clock 12.5 s
-/// behind.
+/// Writes MEPs for the single pulses of a hunt: larger, the nearer the coil is to the target; on a clock 12.5
+/// s behind.
 void writeMeps(const fs::path& session, const fs::path& csv) {
   std::ofstream file(csv);
   file << "t_s,mep_uv,latency_ms\n";
@@ -54,7 +54,7 @@ void writeMeps(const fs::path& session, const fs::path& csv) {
            << std::round(600.0 * std::exp(-0.02 * std::pow(pulse.offset->distance_mm, 2))) << ",22.1\n";
 }
 
-/// The coil's slices in the 3-D scene, with a live coil.
+/// Takes the coil's slices in the 3-D scene, with a live coil.
 void takeLive(MainWindow& window) {
   for (auto* button : window.findChildren<QPushButton*>())
     if (button->text() == "in 3-D" && !button->isChecked()) button->click();

@@ -196,7 +196,7 @@ TEST_F(ReviewTest, ReplayShowsTheFilesNumbersAndALossAsLost) {
   EXPECT_EQ(replay.index(), 599);
   EXPECT_THAT(replay.picturesWords().toStdString(), HasSubstr("no pictures were kept"));
   EXPECT_EQ(replay.pulses().size(), 40u);
-  const auto track = folder_.path() / "track";  // as `facenav track` leaves it: no guidance, no pulses
+  const auto track = folder_.path() / "track";  // as `facenav track` writes it: no guidance, no pulses
   fs::create_directories(track);
   fs::copy(first_ / "poses.csv", track / "poses.csv");
   replay.openFolder(QString::fromStdString(track.string()));
@@ -211,8 +211,8 @@ TEST_F(ReviewTest, ComparisonStatesTheReturnErrorOfTheTwoSessions) {
   waitForSession(review);
   const auto comparison = review.compareWith(QString::fromStdString(first_.filename().string()));
   ASSERT_TRUE(comparison && comparison->targets.size() == 1);
-  // 1.5 mm by construction, and what 38 pulses with a spread of 1.2 mm leave: 1.2 * sqrt(2 / 38) = 0.28 mm a
-  // side.
+  // 1.5 mm by construction, plus the uncertainty of 38 pulses with a spread of 1.2 mm: 1.2 * sqrt(2 / 38) =
+  // 0.28 mm a side.
   EXPECT_NEAR(comparison->targets[0].distance_mm, 1.5, 0.8);
   EXPECT_NEAR(comparison->targets[0].angle_deg, 0.0, 1e-4);
 }

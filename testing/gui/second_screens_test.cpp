@@ -168,7 +168,7 @@ TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
   auto& tip = checkTool(window);
   auto* treat = window.findChild<TreatWorkspace*>();
   ASSERT_TRUE(fixtures::waitFor([&] { return tip.reading().has_value(); }));
-  // The coil stands at kMarker, the head at the fakes' reference; the case's head is a ball of 90 mm.
+  // The coil is at kMarker, the head at the fakes' reference; the case's head is a ball of 90 mm.
   const Eigen::Vector3d tip_mm = (fakes::cameraAtReference().inverse() * Point<Camera>(20, -60, 550)).mm;
   EXPECT_NEAR(tip.reading()->off_skin_mm, tip_mm.norm() - 90, 0.5);
   EXPECT_EQ(tip.canJudge(), std::abs(tip_mm.norm() - 90) < guidance::TipReading::kNear_mm);
@@ -222,7 +222,7 @@ TEST_F(TreatCheck, AClickedSpotThatTheOtherPictureDoesNotShowIsNotMeasured) {
   const auto state = window.treat().state();
   ASSERT_TRUE(state->images);
   const QPointF middle(0.5 * state->images->left.cols, 0.5 * state->images->left.rows);
-  tip.pick(stereo::PictureSide::left, middle, *state);  // the pictures are plain
+  tip.pick(stereo::PictureSide::left, middle, *state);  // the pictures are uniform
   EXPECT_FALSE(tip.words().contains("The clicked spot")) << tip.words().toStdString();
   EXPECT_FALSE(tip.canJudge()) << "the figures beside that refusal are the coil's";
   tip.pick(stereo::PictureSide::right, {-50, 2}, *state);
@@ -246,7 +246,7 @@ TEST_F(TreatCheck, TheSecondScreensFollowTheSessionAndGoDarkWithIt) {
   ASSERT_TRUE(screens.projector());
   EXPECT_TRUE(fixtures::waitFor([&] { return !screens.projector()->isBlack(); }, 5000));
   keepPicture(*screens.projector(), "projector_window");
-  window.setWorkspace(Workspace::plan);  // another page is shown: they go on
+  window.setWorkspace(Workspace::plan);  // the screens continue while another page is shown
   treat->presenter().chooseTarget("");
   EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->figure().isEmpty(); }, 5000))
       << "without a target there is no figure";

@@ -74,7 +74,7 @@ class SetupTest : public ::testing::Test {
     coil_tracking::writeCoil(jig, file);
     return QString::fromStdString(file.string());
   }
-  /// Goes on to a step before which the room shows `what`.
+  /// Goes to a step; before it, the room shows `what`.
   void go(SetupPresenter& setup, RoomShows what, Step step) {
     room_->shows = what;
     setup.go(step);
@@ -123,7 +123,7 @@ TEST_F(SetupTest, EndsWithARigUnderAName) {
   EXPECT_EQ(rigs_[0].rig->last_check->state, "holds");
   EXPECT_LT(rigs_[0].rig->uncertainty->point_mm, 1.0);
   EXPECT_TRUE(setup.isNameTaken());
-  // The next day somebody bumped the bar.
+  // On the next day the bar is bumped.
   room_->turned_deg = 0.4;
   setup.openKept("room 4");
   ASSERT_TRUE(fixtures::waitFor([&] { return setup.view()->needs_repair; }, 120000));
@@ -235,7 +235,7 @@ TEST_F(SetupTest, TheWindowShowsEveryPageAtEverySize) {
   EXPECT_EQ(cameras::findBoard(grey.clone(), testing::kPrintedBoard).px.size(), 54u);
 }
 
-/// A camera that looks at the window: it sees what the window shows 40 ms later.
+/// A simulated camera films the window with a delay of 40 ms.
 TEST_F(SetupTest, TheDelayFromTheCameraToTheScreenIsMeasured) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   LatencyScreen* shown = nullptr;

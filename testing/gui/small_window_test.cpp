@@ -104,7 +104,7 @@ std::string nameOf(const QWidget& widget) {
   return std::string(widget.metaObject()->className()) + " '" + words.toStdString() + "'";
 }
 
-/// Each control is fully inside the window, if needed after scrolling, and no button's text is cut.
+/// Expects each control fully inside the window, if needed after scrolling, and no button's text cut.
 void expectInReach(MainWindow& window) {
   for (auto* widget : controlsOf(window)) {
     if (auto* column = scrollAround(*widget)) {
@@ -120,7 +120,7 @@ void expectInReach(MainWindow& window) {
   }
 }
 
-/// Visible without scrolling: the step bars, the sign-off button, the typed coordinates.
+/// Expects these visible without scrolling: the step bars, the sign-off button, the typed coordinates.
 void expectAlwaysThere(MainWindow& window) {
   const std::vector<const char*> names{"1  Worklist", "4  Sign off", "1 Cameras", "2 Align", "3 Guide"};
   for (auto* button : window.findChildren<QAbstractButton*>()) {
@@ -156,7 +156,7 @@ std::filesystem::path someCase(const std::filesystem::path& folder) {
   return store.folder();
 }
 
-/// The visible widgets that ask for over 300 px, with what they ask for.
+/// Lists the visible widgets that request over 300 px, with their request.
 std::string widestParts(const QWidget& window) {
   std::string out;
   for (const auto* widget : window.findChildren<QWidget*>())

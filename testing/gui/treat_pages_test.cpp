@@ -1,5 +1,5 @@
 // The four tools of Treat (aim, motor, session, check) during guidance, in the usual window sizes: everything
-// can be reached, no figure lies below the fold, and a pulse outside the tolerance is said.
+// can be reached, no figure lies below the fold, and a pulse outside the tolerance is reported.
 // FACENAV_GUI_PICTURES=DIR keeps an image of each.
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ namespace {
 using namespace treat_fixtures;
 using Tool = TreatWorkspace::Tool;
 
-/// Whole in its column once that is scrolled to it.
+/// Expects the panel whole in its column after scrolling to it.
 void expectInReach(const QWidget& panel) {
   for (auto* widget : panel.findChildren<QWidget*>()) {
     if (!qobject_cast<QPushButton*>(widget) && !qobject_cast<QLineEdit*>(widget)) continue;
@@ -99,7 +99,7 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
 TEST(FiguresPanel, LongWordsGetSmallerLettersAndMoveNothing) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   QWidget treat;
-  treat.setObjectName("treat");  // as the style sheet knows it
+  treat.setObjectName("treat");  // the name that the style sheet uses
   FiguresPanel panel(&treat);
   panel.resize(420, 460);
   treat.show();

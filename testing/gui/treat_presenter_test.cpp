@@ -98,7 +98,7 @@ TEST_F(TreatPresenterTest, AModelThatChangedOnDiskSinceItWasOpenedIsRefused) {
   EXPECT_TRUE(failure_.contains("scalp.vtp"));
 }
 
-/// Reports its destruction, which comes with that of its session.
+/// Reports its destruction, which coincides with that of its session.
 class WatchedHead : public fakes::Head {
  public:
   explicit WatchedHead(std::function<void()> on_gone)

@@ -1,5 +1,5 @@
-// A session that was cut off is offered and gone on with, and the registration is checked again on request:
-// by the presenters, without a window. FACENAV_GUI_PICTURES=DIR keeps images of the page with both.
+// An interrupted session is offered and continued, and the registration is checked again on request: by the
+// presenters, without a window. FACENAV_GUI_PICTURES=DIR keeps images of the page with both.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using namespace treat_fixtures;
 using Verdict = monitoring::DriftFinding::Verdict;
 namespace fs = std::filesystem;
 
-/// Trackers as in fakeServices, with a measurement of the registration that says what it is told to.
+/// Services with the trackers of fakeServices, and a registration check that returns a given verdict.
 Services measuredServices(std::shared_ptr<std::atomic<Verdict>> verdict) {
   Services services = fakeServices();
   services.makeNavigator = [made = services.makeNavigator, verdict](const session::NavigatorSetup& setup) {
@@ -49,13 +49,13 @@ std::string textOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// As a program leaves it that was killed after 40 pulses.
+/// Writes the session of a program that was killed after 40 pulses.
 fs::path writeCutSession(const fs::path& case_folder) {
   const auto session = testing::writeMadeSession(
       case_folder, casefile::CaseStore::open(case_folder).targets().targets.front());
   const fs::path events = session / "events.jsonl";
   std::string text = textOf(events);
-  text.erase(text.rfind('\n', text.size() - 2) + 1);  // "session ended"
+  text.erase(text.rfind('\n', text.size() - 2) + 1);  // removes "session ended"
   std::ofstream(events, std::ios::trunc) << text;
   return session;
 }
@@ -74,7 +74,7 @@ class TreatReturn : public ::testing::Test {
   void settle() {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
   }
-  /// Until the check's words begin so; follows the newest state as the page does.
+  /// Waits until the check's words begin so; follows the newest state as the page does.
   bool reads(const QString& words) {
     return fixtures::waitFor([&] {
       check_.follow(*treat_.state());

@@ -50,7 +50,7 @@ TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   settle();
   const auto* figures = workspace.findChild<FiguresPanel*>();
   const auto* row = workspace.findChild<CameraRow*>();
-  // While an overlay is being drawn.
+  // An overlay is being drawn meanwhile.
   ASSERT_TRUE(fixtures::waitFor([&] { return figures->figures()[0] == "0.0"; }));
   const auto first = treat.state()->frame;
   EXPECT_TRUE(fixtures::waitFor([&] { return treat.state()->frame > first + 20; }));

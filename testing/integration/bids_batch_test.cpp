@@ -49,7 +49,7 @@ TEST_F(BidsBatch, AFailureStaysAloneAndASecondRunGoesOn) {
   EXPECT_THAT(second.output, Not(HasSubstr("sub-bad")));
 }
 
-/// The workflow with a stand-in for facenav-bids that fails for one participant.
+/// Runs the workflow with a fake facenav-bids that fails for one participant.
 TEST_F(BidsBatch, TheSnakemakeWorkflowRunsEachParticipantAndGoesOnAfterAFailure) {
   if (std::system("command -v snakemake >/dev/null") != 0) GTEST_SKIP() << "snakemake is not installed";
   const fs::path program = folder_.path() / "stand_in", broken = folder_.path() / "broken";

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 void writeText(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// Status 1, exactly one line that names the problem, and `product` does not exist.
+/// Expects status 1, exactly one line that names the problem, and no `product`.
 void expectRefused(const CommandResult& result, const std::string& named, const fs::path& product = {}) {
   EXPECT_EQ(result.status, 1) << result.errors;
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;

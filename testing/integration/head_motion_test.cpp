@@ -74,8 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Room, HeadMotion,
                                            Patient{"Colin27", colin27(), 1.0, 21, 800, 120}),
                          [](const auto& head) { return std::string(head.param.name); });
 
-// Ordinary cameras are not triggered together. Without correction, 12 ms cause an error of a millimetre and
-// half a degree here.
+// Free-running cameras are not triggered together. Without correction, 12 ms cause an error of a millimetre
+// and half a degree here.
 TEST(FreeRunningCameras, AreKnownByTheMovingHeadAndAllowedFor) {
   FACENAV_NEEDS(virtualPatientMri());
   TaskMonitor monitor;

@@ -1,6 +1,6 @@
 // Live cameras from the command line: two network cameras of the test show a patient of the virtual room.
-// `align --live`, then `track --live` with pulses over UDP while one camera breaks off and comes back, then
-// `guide --live` with pulses by the keyboard, ended by Ctrl-C.
+// `align --live`, then `track --live` with pulses over UDP while one camera fails and returns, then `guide
+// --live` with pulses by the keyboard, ended by Ctrl-C.
 
 #include <gmock/gmock.h>
 
@@ -30,13 +30,13 @@ using namespace std::chrono_literals;
 
 constexpr int kPeriod_ms = 66;
 
-/// Of both cameras' shutter, which is open at whole multiples of the period.
+/// Number of the exposure of both cameras, which expose at whole multiples of the period.
 std::int64_t shutterNumber() { return std::llround(1000 * Timestamp::now().s / kPeriod_ms); }
 
-/// What both cameras show now, as JPEG.
+/// Pictures that both cameras show now, as JPEG.
 struct Scene {
   std::mutex mutex;
-  std::vector<std::string> left, right;  // the film, forwards and backwards without end
+  std::vector<std::string> left, right;  // the film, forwards and backwards, repeated
   std::int64_t begun = 0;
 
   std::string now(bool is_left) {
@@ -44,7 +44,8 @@ struct Scene {
     const auto& film = is_left ? left : right;
     return film[std::size_t(capture::swungFrame(shutterNumber() - begun, std::int64_t(film.size())))];
   }
-  /// A counter in a corner makes all pictures differ, as a sensor's noise does: one that repeats is none.
+  /// Shows the frames with a counter in a corner, so that pictures differ as by a sensor's noise; a repeated
+  /// picture is ignored.
   void show(const std::vector<cameras::StereoFrame>& frames) {
     std::vector<std::string> lefts, rights;
     for (std::size_t i = 0; i < std::max<std::size_t>(frames.size(), 3); ++i)
@@ -120,8 +121,7 @@ class LiveSession : public ::testing::Test {
   PulseSender sender_;
 };
 
-/// The dots show the head where it was before the picture without dots: with the one pose, the other is
-/// wrong.
+/// Refuses a head that moved: the dots show it where it was before the picture without dots.
 void LiveSession::refuseAHeadThatMoved() {
   const fs::path moved = folder_.path() / "moved";
   fs::copy(recording_, moved, fs::copy_options::recursive);
@@ -137,7 +137,7 @@ void LiveSession::refuseAHeadThatMoved() {
   EXPECT_FALSE(casefile::CaseStore::open(case_).alignment());
 }
 
-/// The projector is switched off between the two answers.
+/// Aligns; the projector is switched off between the two answers.
 void LiveSession::align() {
   Conversation facenav(live({"align", case_.string()}, {"--picture", (folder_.path() / "skin.png").string()}),
                        Conversation::Hears::output_and_errors);
@@ -156,7 +156,7 @@ void LiveSession::align() {
   EXPECT_FALSE(truth.empty());
 }
 
-/// Until a line has `key`; null after the limit.
+/// Reads until a line has `key`; null after the limit.
 nlohmann::json hearKey(Conversation& facenav, const char* key, double limit_s = 60) {
   for (const double until_s = Timestamp::now().s + limit_s; Timestamp::now().s < until_s;) {
     const auto line = facenav.hearWithin(until_s - Timestamp::now().s);
@@ -166,7 +166,7 @@ nlohmann::json hearKey(Conversation& facenav, const char* key, double limit_s = 
   return nlohmann::json::object();
 }
 
-/// Sends a pulse and gives its verdict.
+/// Sends a pulse and returns its verdict.
 std::string pulseStatus(const PulseSender& sender, Conversation& facenav) {
   sender.send(50);
   const auto told = hearKey(facenav, "pulse", 10);
@@ -197,7 +197,7 @@ std::string LiveSession::track() {
   return name;
 }
 
-/// Tracked, lost while the camera was away, and tracked again.
+/// Requires poses that are tracked, lost while the camera was away, and tracked again.
 void LiveSession::requirePoses(const fs::path& session) {
   // On a busy machine the two streams may be out of step for a moment at other times, too.
   struct Away {
@@ -250,7 +250,7 @@ void LiveSession::guide() {
   EXPECT_EQ(text, readText(kept.folder / "guidance.csv"));
 }
 
-/// The rig's last check says that it was bumped: no pose is shown, and it is said how it is repaired.
+/// Tracks with a rig whose last check found it bumped: no pose is shown, and the repair is named.
 void LiveSession::trackMoved() {
   const capture::RigStore store(rigs_);
   EXPECT_NE(store.read("room").last_check->state, "moved") << store.read("room").last_check->words;

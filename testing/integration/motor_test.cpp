@@ -87,7 +87,7 @@ TEST_F(Motor, APersonIsAskedInWordsAndAWrongLineChangesNothing) {
   EXPECT_EQ(runFacenav("threshold '" + (folder_.path() / "nowhere").string() + "'").status, 1);
 }
 
-/// A session whose pulses respond where the coil lies near the first target.
+/// Makes a session whose pulses evoke a response if the coil is near the first target.
 fs::path treat(const fs::path& case_folder) {
   casefile::SessionLog log(case_folder);
   log.addEvent("session started");

@@ -1,4 +1,4 @@
-// facenav record and facenav rig new before live cameras, as a user runs them: two videos stand in for the
+// facenav record and facenav rig new before live cameras, as a user runs them: two videos replace the
 // cameras.
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ class RecordVerb : public ::testing::Test {
   std::string liveCameras() const {
     return "--left " + at("left.avi") + " --right " + at("right.avi") + " --calibration " + at("stereo.yml");
   }
-  /// Both videos at 30 pictures a second; a counter in a corner makes all pictures differ.
+  /// Writes both videos at 30 pictures a second; a counter in a corner makes all pictures differ.
   void film(const std::vector<cameras::StereoFrame>& frames) const {
     for (const bool is_left : {true, false}) {
       cv::VideoWriter writer((folder_.path() / (is_left ? "left.avi" : "right.avi")).string(),
@@ -93,7 +93,7 @@ TEST_F(RecordVerb, SaysInOneLineWhyItCannotRecord) {
              "no.avi");
   expectLine(runFacenav("record --quiet " + liveCameras() + " --rate 1000 --seconds 7200" + to),
              "the disk has space for");
-  // A file may not grow beyond 16 kB, as on a full disk: nothing half-written stays.
+  // A file may not grow beyond 16 kB, as on a full disk: no partly written file remains.
   expectLine(runProgram("bash", "-c \"trap '' XFSZ; ulimit -f 16; '" + std::string(FACENAV_CLI) +
                                     "' record --quiet " + liveCameras() + " --seconds 1" + to + "\""),
              "cannot be written");

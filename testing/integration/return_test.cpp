@@ -1,6 +1,6 @@
 // Return near home, from the command line: a first visit in the virtual room, the expert's pose of it, the
 // case as one file without the MRI, and a later visit with another capture, expression and seat. The room's
-// truth says how far the coil is from where the expert held it.
+// truth gives the return error.
 
 #include <gmock/gmock.h>
 
@@ -39,7 +39,7 @@ class ReturnPath : public ::testing::Test {
       fs::copy(made_->path() / name, to, fs::copy_options::recursive);
   }
   static void TearDownTestSuite() { made_.reset(); }
-  /// The case and the recordings of both visits, as each test finds them.
+  /// Makes the case and the recordings of both visits, once for all tests.
   void makeVisits() {
     made_ = std::make_unique<TemporaryFolder>();
     const fs::path made = made_->path() / "case";
@@ -60,7 +60,7 @@ class ReturnPath : public ::testing::Test {
     run("simulate treatment --case " + in(made_->path() / "case") + " --frames 24 --frames-per-s 12 " + how +
         " -o " + in(recording) + " -q");
   }
-  /// Pulses while the coil rests on the target, in the last third of the recording.
+  /// Returns pulses given while the coil rests on the target, in the last third of the recording.
   std::vector<casefile::ReviewedPulse> treat(const fs::path& case_folder, const fs::path& recording) {
     Conversation facenav({"track", recording.string(), "--case", case_folder.string(), "--coil",
                           (recording / "coil.json").string(), "--pulses", sender_.source(), "--commands",
@@ -76,8 +76,8 @@ class ReturnPath : public ::testing::Test {
     facenav.end();
     return casefile::readSession(casefile::findSession(case_folder, "")).pulses.pulses;
   }
-  /// Where the coil would be if it were exactly on the expert's pose, against where the expert held it: the
-  /// median over the pulses on target.
+  /// Return error: true coil pose when it is measured exactly at the expert's pose, against the expert's true
+  /// coil pose; median over the pulses on target.
   struct Off {
     std::size_t pulses = 0;
     double mm = 0, deg = 0;
@@ -91,7 +91,7 @@ class ReturnPath : public ::testing::Test {
   PulseSender sender_;
 };
 
-/// Leaves what two webcams alone would have recorded: one plain pair in which the coil rests at the head, its
+/// Reduces a recording to that of two webcams alone: one plain pair in which the coil rests at the head, its
 /// marker seen by both.
 void removeProjector(const fs::path& recording) {
   const auto capture = recording / "capture";
@@ -169,7 +169,7 @@ TEST_F(ReturnPath, TwoCamerasWithoutAProjectorAreEnoughAtBothVisits) {
   std::printf("off by %.2f mm, %.2f deg; stated bound %.2f mm\n", off.mm, off.deg, bound_mm);
   EXPECT_LT(off.mm, bound_mm);
   EXPECT_LT(bound_mm, 6.0) << "a bound that says something";
-  // The same recording makes a case without an MRI; without the marker it makes none.
+  // A case without an MRI is made of the same recording; without the marker it is refused.
   run("face-case " + in(first_) + " --coil " + in(first_ / "coil.json") + " --using plain -o " +
       in(folder_.path() / "face") + " -q");
   fs::copy(first_ / "left" / "000000.png", first_ / "capture" / "plain_left.png",
@@ -192,7 +192,7 @@ TEST_F(ReturnPath, AFaceCaseNeedsNoMriAndRefusesWhatItCannotKnow) {
   run("align " + in(face) + " " + in(later_));
   EXPECT_THAT(run("face-case " + in(later_) + " -o " + in(face), 1).errors,
               HasSubstr("exists there already"));
-  // Moved cameras: the calibration of before a knock.
+  // Moved cameras: the calibration is older than the knock.
   const fs::path knocked = folder_.path() / "knocked";
   fs::copy(later_, knocked, fs::copy_options::recursive);
   auto rig = cameras::readRig(knocked / "stereo.yml");

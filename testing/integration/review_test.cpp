@@ -1,5 +1,5 @@
-// A scripted session (stand-ins for cameras and trackers) through the session loop and its log, then what the
-// command line says of it: sessions, pulses, exclusions, report.
+// A scripted session (fake cameras and trackers) through the session loop and its log, then the command
+// line's output about it: sessions, pulses, exclusions, report.
 
 #include <gmock/gmock.h>
 
@@ -22,10 +22,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
-constexpr int kFrames = 150, kLostFrom = 100;  // at 50 frames a second; then the face is gone
+constexpr int kFrames = 150, kLostFrom = 100;  // at 50 frames a second; the face is lost from kLostFrom on
 
-/// Twelve pulses in the first part, three after the face is gone, each from a source of its own. Returns the
-/// session's folder.
+/// Gives twelve pulses in the first part and three after the face is lost, each from a source of its own.
+/// Returns the session's folder.
 fs::path treat(const fs::path& case_folder) {
   auto navigator = std::make_unique<session::Navigator>(
       fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t n) {

@@ -29,7 +29,7 @@ class RigVerb : public ::testing::Test {
   CommandResult make(const std::string& more = "") const {
     return runFacenav("rig new bar --calibration " + at("stereo.yml") + rigs() + " " + more);
   }
-  /// Board pictures of a rig as it really stands; gives the options.
+  /// Writes board pictures of a rig at its true pose; returns the options.
   std::string pictures(const std::string& name, const cameras::StereoRig& real) const {
     fs::create_directories(folder_.path() / name);
     for (int i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ TEST_F(RigVerb, SaysWhatIsMissing) {
   EXPECT_EQ(runFacenav("rig").status, 2);
 }
 
-/// Two videos stand in for cameras: they are opened, paired, kept as a rig and looked through.
+/// Two videos replace cameras: they are opened, paired, stored as a rig and viewed.
 TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
   const auto frame = boardFrame(rig_, 0);
   for (const auto& [name, image] : {std::pair("left.avi", frame.left), std::pair("right.avi", frame.right)}) {
@@ -107,7 +107,7 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
     ASSERT_TRUE(writer.isOpened());
     cv::Mat changing = image.clone();
     for (int i = 0; i < 90; ++i) {
-      changing(cv::Rect(0, 0, 4, 4)).setTo(i);  // a picture that repeats is none
+      changing(cv::Rect(0, 0, 4, 4)).setTo(i);  // a repeated picture is ignored
       writer.write(changing);
     }
   }
@@ -125,8 +125,8 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
   EXPECT_THAT(wrong.errors, HasSubstr("it has 640 x 480"));
 }
 
-/// Two videos of the coil's marker at rest stand in for the cameras of a kept rig, of which the right one has
-/// turned sideways by `turned_deg` since.
+/// Two videos of the coil's marker at rest replace the cameras of a kept rig, whose right one has turned
+/// sideways by `turned_deg` since.
 class KeptRigVerb : public RigVerb {
  protected:
   void film(double turned_deg) const {
@@ -163,7 +163,7 @@ TEST_F(KeptRigVerb, IsVerifiedEachTimeItsCamerasOpen) {
   EXPECT_THAT(holds.errors, HasSubstr("rig bar: cameras, picture size and adjustments are as kept; the "
                                       "calibration holds: the coil's marker measures"));
   EXPECT_EQ(list()[0]["last_check"]["state"], "holds");
-  // Somebody bumped the bar.
+  // The bar is bumped.
   ASSERT_NO_FATAL_FAILURE(film(0.4));
   const auto moved = record("second");
   EXPECT_EQ(moved.status, 0) << "a recording is no guidance: " << moved.errors;
@@ -175,7 +175,7 @@ TEST_F(KeptRigVerb, IsVerifiedEachTimeItsCamerasOpen) {
   EXPECT_THAT(aligned.errors, HasSubstr("not aligned: the cameras have moved against each other"));
   EXPECT_THAT(aligned.errors, HasSubstr("facenav-gui --set-up --rig bar"));
   EXPECT_FALSE(fs::exists(folder_.path() / "case" / "alignment.json"));
-  // It was bent back: the marker shows that the calibration holds again.
+  // It is bent back: the marker shows that the calibration is valid again.
   ASSERT_NO_FATAL_FAILURE(film(0));
   EXPECT_THAT(record("third").errors, HasSubstr("the calibration holds: the coil's marker measures"));
   EXPECT_EQ(list()[0]["last_check"]["state"], "holds");

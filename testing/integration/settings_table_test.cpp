@@ -25,7 +25,7 @@ TEST(Settings, EveryOneSaysItsUnitItsMeaningAndItsOrigin) {
   }
 }
 
-/// A fitted number says on what, and what is known of others than those.
+/// A fitted number names the data of its fit, and results on other data.
 TEST(Settings, EveryFittedOneSaysWhatWasHeldOut) {
   for (const SettingEntry& entry : all()) {
     if (entry.setting.origin != Origin::fitted) continue;
@@ -37,7 +37,7 @@ TEST(Settings, EveryFittedOneSaysWhatWasHeldOut) {
   }
 }
 
-/// A unit that the name ends in is the unit stated.
+/// A unit suffix of a name equals the unit given.
 TEST(Settings, NamesAndUnitsAgree) {
   const std::map<std::string, std::string> units{{"mm", "mm"}, {"mm2", "mm2"}, {"px", "px"},   {"s", "s"},
                                                  {"ms", "ms"}, {"rad", "rad"}, {"deg", "deg"}, {"min", "min"},

@@ -21,7 +21,7 @@ using ::testing::Pair;
 class SettingsOfTheProgram : public ::testing::Test {
  protected:
   std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
-  /// Of a prepare that must be refused for its settings, before any work.
+  /// Error message of a prepare that must be refused for its settings, before any work.
   std::string refusalOf(const std::string& flags) const {
     const auto result = runFacenav("prepare " + at("none.nii.gz") + " -o " + at("case") + " " + flags);
     EXPECT_EQ(result.status, 1) << flags;
@@ -67,7 +67,7 @@ TEST_F(SettingsOfTheProgram, ThatAreWrongAreRefusedInOneLine) {
   EXPECT_THAT(refusalOf("--settings " + at("mine.json")), HasSubstr("'segmentation.search_mm'"));
 }
 
-/// With the defaults Colin27's brain measures 1768 +- 50 ml (segmentation_real_heads_test).
+/// Colin27's brain measures 1768 +- 50 ml with the defaults (brain_real_heads_test).
 TEST_F(SettingsOfTheProgram, ThatDifferChangeTheBrainAndAreRecordedWithIt) {
   FACENAV_NEEDS(colin27());
   std::ofstream(at("mine.json")) << R"({"segmentation.core_share": 0.8, "segmentation.tissue_share": 0.35})";

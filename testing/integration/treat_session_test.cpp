@@ -1,6 +1,6 @@
 // One session from beginning to end by the command line tool, on a recording of the virtual room: hotspot,
 // threshold, 200 pulses at 10 Hz in trains over UDP, a pause, kill -9 in the middle, the return, the report.
-// The room's truth says where the coil was at each pulse.
+// The room's truth gives the coil's pose at each pulse.
 
 #include <gmock/gmock.h>
 
@@ -37,7 +37,7 @@ using ::testing::Not;
 
 constexpr int kFrames = 30, kPlanned = 200, kInTrain = 20;
 constexpr double kStep_s = 0.1, kPause_s = 0.5;
-constexpr double kFirst_pct = 55, kTag_pct = 0.001;  // the intensity says which pulse it was
+constexpr double kFirst_pct = 55, kTag_pct = 0.001;  // the intensity identifies the pulse
 const char* const kName = "Jane Doe";
 
 int tagOf(const casefile::Pulse& pulse) {
@@ -94,7 +94,7 @@ int tagOf(const nlohmann::json& told) {
   return int(std::lround((told.value("intensity_pct", 0.0) - kFirst_pct) / kTag_pct));
 }
 
-/// Until a line has `key`; what was told of pulses before it goes into `told`.
+/// Reads until a line has `key`; pulses reported before it are added to `told`.
 nlohmann::json hearUntil(Conversation& facenav, const char* key, std::vector<int>* told = nullptr) {
   for (;;) {
     const auto line = facenav.hearWithin(60);
@@ -118,8 +118,7 @@ void TreatSession::hunt() {
     ASSERT_TRUE(hearUntil(facenav, "pulse").contains("pulse"));
     const auto kept = casefile::readSessionPulses(case_ / "sessions" / name);
     ASSERT_EQ(int(kept.pulses.size()), i + 1) << "what is told is on the disk";
-    if (const auto pose =
-            kept.pulses.back().pulse.mri_T_coil()) {  // a muscle that answers over the hand area
+    if (const auto pose = kept.pulses.back().pulse.mri_T_coil()) {  // the muscle responds over the hand area
       const double off_mm = (pose->translation_mm() - targets[0].mri_T_target.translation_mm()).norm();
       facenav.say("mep " + std::to_string(10 + 1500 * std::exp(-0.5 * off_mm * off_mm / 36)));
     }
@@ -148,7 +147,7 @@ void TreatSession::findThreshold() {
   EXPECT_EQ(facenav.end(), 0);
 }
 
-/// Each pulse that was told is there, none twice, and none that was not sent.
+/// Requires each reported pulse once, and none that was not sent.
 void TreatSession::requireKept(const fs::path& session, const std::vector<int>& told, int sent) {
   std::map<int, int> kept;
   int number = 0;
@@ -211,7 +210,7 @@ void TreatSession::requireTruePoses(const fs::path& session, const std::map<int,
   }
 }
 
-/// The pictures are there, private, and the poses can be solved from them again.
+/// Requires private pictures from which the poses can be computed again.
 void TreatSession::requireEvidence(const fs::path& session, std::int64_t killed_at) {
   const fs::path evidence = casefile::evidenceFolder(session), again = folder_.path() / "again.csv";
   int wanted = 0, there = 0;
@@ -237,7 +236,7 @@ void TreatSession::requireEvidence(const fs::path& session, std::int64_t killed_
   EXPECT_GE(solved, 20) << "of " << there << " pulses with pictures";
 }
 
-/// A kill cuts a train in two.
+/// Number of trains in the log; a kill cuts a train in two.
 int trainsGiven(const fs::path& session) {
   int trains = 0;
   double last_s = -1e9;
@@ -270,8 +269,8 @@ void TreatSession::requireReport(const fs::path& session) {
     EXPECT_THAT(readText(file), Not(HasSubstr("Jane"))) << file;
 }
 
-/// Sends trains of 10 Hz from pulse `first` on, and hears what is told meanwhile. Ends after `last`, or when
-/// `enough` were told.
+/// Sends trains of 10 Hz from pulse `first` on, and reads the reports meanwhile. Ends after `last`, or when
+/// `enough` were reported.
 int sendTrains(const PulseSender& sender, Conversation& facenav, int first, int last, std::size_t enough,
                std::map<int, Timestamp>& sent, std::vector<int>& told) {
   for (int tag = first; tag <= last; ++tag) {
@@ -313,7 +312,7 @@ TEST_F(TreatSession, HotspotThresholdPulsesKillReturnAndReport) {
     std::mt19937 random(5);
     last_sent = sendTrains(sender_, facenav, last_sent + 1, kPlanned, 80 + random() % 30, sent, told);
     facenav.kill();
-    hearUntil(facenav, "nothing", &told);  // what was told before it died
+    hearUntil(facenav, "nothing", &told);  // reports before the kill
     EXPECT_EQ(facenav.end(), 128 + SIGKILL);
   }
   ASSERT_LT(last_sent, kPlanned) << "it was killed in the middle";

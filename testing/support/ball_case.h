@@ -7,7 +7,7 @@
 
 namespace facenav::testing {
 
-/// Skin at 90 mm, grey inside; no brain.
+/// Case with skin at 90 mm, grey inside; no brain.
 inline casefile::PreparedCase ballCase() {
   casefile::PreparedCase prepared;
   auto& grid = prepared.mri.grid;

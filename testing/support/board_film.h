@@ -1,6 +1,6 @@
 #pragma once
-// A person who holds the calibration board before a rig: moves it, holds it still, moves it on. Rendered
-// pairs with noise. The program must compile unit/track/coil_tracking/coil_scene.cpp.
+// A person who shows the calibration board to a rig: moves it, holds it still, moves it on. Rendered pairs
+// with noise. The program must compile unit/track/coil_tracking/coil_scene.cpp.
 
 #include <map>
 
@@ -29,7 +29,7 @@ inline std::vector<HeldBoard> boardRound() {
   return all;
 }
 
-/// Rendered once: it takes a tenth of a second.
+/// Frame of the held board; rendered once, since it takes a tenth of a second.
 inline cameras::StereoFrame heldBoardFrame(const cameras::StereoRig& rig, const HeldBoard& held,
                                            std::int64_t number, double t_s,
                                            coil_tracking::testing::SceneOptions options = {}) {
@@ -54,7 +54,7 @@ inline cameras::StereoFrame heldBoardFrame(const cameras::StereoRig& rig, const 
   return frame;
 }
 
-/// Between two places the board moves; at each it stands for `still_frames`.
+/// Film of the board: it moves between two places and rests at each for `still_frames`.
 class BoardFilm : public capture::FrameSource {
  public:
   BoardFilm(const cameras::StereoRig& rig, std::vector<HeldBoard> places, int still_frames = 4,
@@ -65,7 +65,7 @@ class BoardFilm : public capture::FrameSource {
     const std::size_t place = std::size_t(number_ / (still_frames_ + 1));
     if (place >= places_.size()) return nullptr;
     auto frame = heldBoardFrame(rig_, places_[place], number_, interval_s_ * double(number_));
-    if (number_ % (still_frames_ + 1) == 0)  // on its way
+    if (number_ % (still_frames_ + 1) == 0)  // between two places
       for (cv::Mat* image : {&frame.left, &frame.right}) *image = shifted(*image, 12);
     ++number_;
     return std::make_shared<cameras::StereoFrame>(frame);

@@ -36,7 +36,7 @@ inline cameras::StereoFrame boardFrame(const cameras::StereoRig& rig, int positi
   return frame;
 }
 
-/// The right camera turned on its mount, about its own axes (x right, y down, z forward).
+/// Turns the right camera on its mount, about its own axes (x right, y down, z forward).
 inline cameras::StereoRig turnedRight(cameras::StereoRig rig, const Eigen::Vector3d& turn_rad) {
   const Eigen::Matrix3d turn = expRotation(turn_rad);
   rig.right_T_left = RigidTransform<RightCamera, Camera>(

@@ -12,24 +12,24 @@
 
 namespace facenav::testing {
 
-/// A camera and what can happen to it from outside. A hook that returns false cannot be tried with this
+/// Camera with the events that the test can cause. A hook that returns false cannot be tested with this
 /// camera.
 class CameraBench {
  public:
   virtual ~CameraBench() = default;
-  /// Throws CameraError as the backend does.
+  /// Opens the camera. Throws CameraError as the backend does.
   virtual std::unique_ptr<capture::Camera> open() = 0;
-  virtual capture::CameraSettings settings() const = 0;  // that the camera has
+  virtual capture::CameraSettings settings() const = 0;  // settings that the camera supports
   virtual bool hang(bool /*is_hung*/) { return false; }
   virtual bool unplug(bool /*is_unplugged*/) { return false; }
   virtual bool slowDown(double /*factor*/) { return false; }
   virtual double noticesUnplugWithin_s() const { return 1.0; }
-  /// A word of the message about a wrong size that tells which sizes there are.
+  /// Part of the message about a wrong size that names an available size.
   virtual std::string sizeItHas() const { return std::to_string(settings().width_px); }
   virtual bool canStartAgain() const { return true; }
 };
 
-/// CameraFault that `action` throws; a failure if it throws none.
+/// Returns the CameraFault that `action` throws; a failure if it throws none.
 inline std::optional<capture::CameraFault> faultOf(const std::function<void()>& action,
                                                    std::string* words = nullptr) {
   try {
@@ -163,7 +163,7 @@ inline std::unique_ptr<capture::CameraPairSource> openPair(CameraBench& left, Ca
                                  {left.settings(), right.settings(), patience_s});
 }
 
-/// What a live FrameSource promises: sizes, rising numbers and times, the delay between the sides; a quick
+/// Contract of a live FrameSource: sizes, rising numbers and times, the delay between the sides; a quick
 /// stop; a silent camera and an unplugged one are named; afterwards both can be opened again.
 inline void expectLivePairContract(CameraBench& left, CameraBench& right) {
   auto source = openPair(left, right);

@@ -1,12 +1,12 @@
 #pragma once
-// Other settings for the length of a test. A program fixes its settings before the first work and never
-// changes them; only a test may.
+// Changes settings during a test. A program fixes its settings before the first work and never changes them;
+// only a test may.
 
 #include "facenav/core/settings_in_force.h"
 
 namespace facenav::testing {
 
-/// Settings of one group that go back to their former values at the end of the scope. Not for threads.
+/// Changes settings of one group and restores them at the end of the scope. Not for threads.
 template <class Group>
 class ChangedSettings {
  public:

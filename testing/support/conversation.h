@@ -1,5 +1,5 @@
 #pragma once
-// A running facenav that is talked to line by line, as another program drives it. Compiled with FACENAV_CLI.
+// A running facenav driven line by line, as another program does it. Compiled with FACENAV_CLI.
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -50,11 +50,11 @@ class Conversation {
     const std::string text = line + "\n";
     ASSERT_EQ(::write(input_, text.data(), text.size()), ssize_t(text.size()));
   }
-  /// The next line; waits for it. Discarded JSON at the end of the output.
+  /// Waits for the next line. Returns discarded JSON at the end of the output.
   nlohmann::json hear() {
     return hearWithin(600).value_or(nlohmann::json(nlohmann::json::value_t::discarded));
   }
-  /// The next line, if one comes in this time.
+  /// Returns the next line, if one arrives in this time.
   std::optional<nlohmann::json> hearWithin(double seconds) {
     const auto until = endOf(seconds);
     for (;;) {
@@ -66,7 +66,7 @@ class Conversation {
       if (!listen(until)) return std::nullopt;
     }
   }
-  /// Until these words come, a question for example; what was said before them is forgotten.
+  /// Reads until these words arrive, a question for example; earlier output is discarded.
   bool hearWords(const std::string& words, double seconds) {
     const auto until = endOf(seconds);
     for (;;) {
@@ -77,10 +77,10 @@ class Conversation {
       if (!listen(until)) return false;
     }
   }
-  /// As Ctrl-C.
+  /// Interrupts the program as Ctrl-C does.
   void interrupt() const { ::kill(process_, SIGINT); }
   void kill() const { ::kill(process_, SIGKILL); }
-  /// Closes its input and waits. Exit status; 128 + signal if a signal killed it.
+  /// Closes its input and waits. Returns the exit status; 128 + signal if a signal killed it.
   int end() {
     ::close(input_);
     int status = 0;
@@ -94,7 +94,7 @@ class Conversation {
   static Clock::time_point endOf(double seconds) {
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
-  /// More of what it says; false: nothing came in time, or it has ended.
+  /// Reads more of its output; false if nothing arrived in time, or it has ended.
   bool listen(Clock::time_point until) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd waiting{output_, POLLIN, 0};

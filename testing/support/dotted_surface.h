@@ -34,11 +34,11 @@ inline RectifiedScene rectifiedScene(const cv::Mat& left, const cv::Mat& right, 
 }
 
 struct DottedSurface : RectifiedScene {
-  cv::Mat truth_px;  // of each left pixel
+  cv::Mat truth_px;  // disparity of each left pixel
 };
 
-/// Dots about 5.6 px apart, 2 px wide, 130 grey levels bright; disparities from 5/32 to 25/32 of
-/// `disparities`.
+/// Makes a surface with dots about 5.6 px apart, 2 px wide, 130 grey levels bright; disparities from 5/32 to
+/// 25/32 of `disparities`.
 inline DottedSurface dottedSurface(int width, int height, int disparities, double noise_grey,
                                    std::uint64_t seed) {
   constexpr int kFine = 4;  // pattern pixels per image pixel

@@ -1,6 +1,6 @@
 #pragma once
-// FakeV4l2: a Video4Linux kernel of the tests. Cameras with modes and controls that deliver pictures in real
-// time, and every fault that real ones show. Faults may be set while another thread reads.
+// FakeV4l2: a fake Video4Linux kernel. Cameras with modes and controls that deliver pictures in real time,
+// and every fault that real ones show. Faults may be set while another thread reads.
 
 #include <linux/videodev2.h>
 
@@ -21,7 +21,7 @@
 
 namespace facenav::testing {
 
-/// A picture that differs from all others: its number stands in the first pixels.
+/// Makes a picture that differs from all others: its first pixels encode its number.
 inline cv::Mat numberedPicture(int width, int height, std::int64_t number) {
   cv::Mat image(height, width, CV_8U);
   for (int y = 0; y < height; ++y)
@@ -38,7 +38,7 @@ struct FakeV4l2Camera {
   };
   struct Control {
     int minimum, maximum, step, value;
-    bool is_stuck = false;          // keeps its value whatever is set
+    bool is_stuck = false;          // keeps its value when set
     bool forgets_at_start = false;  // back to `at_start` when the stream starts
     int at_start = 0;
   };
@@ -56,12 +56,12 @@ struct FakeV4l2Camera {
   std::atomic<bool> is_unplugged{false}, is_hung{false};
   std::atomic<bool> is_bandwidth_short{false};  // uncompressed pictures do not fit
   std::atomic<double> slowdown{1.0};
-  std::atomic<int> drop{0}, damage{0}, lose{0}, repeat{0};  // that many of the next pictures
+  std::atomic<int> drop{0}, damage{0}, lose{0}, repeat{0};  // faults of so many next pictures
   std::atomic<double> stamp_shift_s{0.0};                   // error of the time stamps
   std::uint32_t stamp_flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
-  double phase_s = 0.0;          // of its exposures, within an interval
-  int automatic_exposure = 333;  // that it finds while it runs on automatic
-  int forced_width = 0;          // S_FMT gives this width whatever is asked
+  double phase_s = 0.0;          // phase of its exposures within an interval
+  int automatic_exposure = 333;  // value found while it runs on automatic
+  int forced_width = 0;          // S_FMT returns this width for any request
   std::int64_t pictures = 0;     // taken since the start
 
   // Driver state.
@@ -133,7 +133,7 @@ class FakeV4l2 : public capture::V4l2Driver {
         return 0;
       }
       case VIDIOC_S_PARM:
-        return 0;  // a camera with one rate a mode
+        return 0;  // for a camera with one rate a mode
       case VIDIOC_QUERYCTRL:
         return queryControl(*camera, *static_cast<v4l2_queryctrl*>(argument));
       case VIDIOC_G_CTRL:
@@ -225,7 +225,7 @@ class FakeV4l2 : public capture::V4l2Driver {
     format.fmt.pix.bytesperline = bytesPerLine(camera);
     return 0;
   }
-  /// Lines are padded, as some drivers do.
+  /// Bytes of a line, padded as some drivers do.
   static std::uint32_t bytesPerLine(const FakeV4l2Camera& camera) {
     if (camera.current.format == V4L2_PIX_FMT_MJPEG) return 0;
     return std::uint32_t(camera.current.width * (camera.current.format == V4L2_PIX_FMT_YUYV ? 2 : 1) + 16);

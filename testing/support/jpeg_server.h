@@ -1,6 +1,6 @@
 #pragma once
-// A network camera of the tests: motion JPEG over HTTP on loopback, as IP cameras send it. The test chooses
-// what it shows, breaks it off and brings it back at the same address.
+// A network camera: motion JPEG over HTTP on loopback, as IP cameras send it. The test chooses the pictures,
+// interrupts it and brings it back at the same address.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -17,10 +17,11 @@
 
 namespace facenav::testing {
 
-/// One client at a time. All servers of one period send at the same moments, as cameras with one shutter do.
+/// Server for one client at a time. All servers of one period send at the same moments, as cameras with one
+/// shutter do.
 class JpegServer {
  public:
-  /// The picture number `i` of a connection, as JPEG.
+  /// Function that returns picture number `i` of a connection, as JPEG.
   using Picture = std::function<std::string(int i)>;
   explicit JpegServer(Picture picture, int every_ms = 20)
       : picture_(std::move(picture)), every_ms_(every_ms) {
@@ -47,10 +48,10 @@ class JpegServer {
   std::string url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/video"; }
   /// Ends the connection; a new one is served.
   void breakOff() { is_broken_ = true; }
-  /// Switched off: connections are closed at once.
+  /// Switches it off: connections are closed at once.
   void switchOff(bool is_off) { is_off_ = is_off; }
 
-  /// At least of the size of a real camera's pictures, by a comment of 40 kB: FFmpeg looks at so many bytes
+  /// Encodes a JPEG at least as large as a real camera's, by a comment of 40 kB: FFmpeg reads so many bytes
   /// first.
   static std::string largeJpeg(const cv::Mat& image, int quality = 95) {
     std::vector<std::uint8_t> jpeg;
@@ -88,7 +89,7 @@ class JpegServer {
       std::this_thread::sleep_until(nextShutter());
     }
   }
-  /// The next whole multiple of the period.
+  /// Next whole multiple of the period.
   std::chrono::steady_clock::time_point nextShutter() const {
     const std::chrono::steady_clock::duration period = std::chrono::milliseconds(every_ms_);
     return std::chrono::steady_clock::time_point(

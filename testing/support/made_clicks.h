@@ -1,6 +1,6 @@
 #pragma once
-// Made sound of a treatment room with a known answer: clicks of a coil with echoes, over hum and something
-// like speech (voiced sounds, "s", "t" and "k", pauses). For tests of the detector of clicks.
+// Synthetic sound of a treatment room with a known answer: clicks of a coil with echoes, over hum and
+// something like speech (voiced sounds, "s", "t" and "k", pauses). For tests of the detector of clicks.
 
 #include <algorithm>
 #include <array>
@@ -23,13 +23,13 @@ struct MadeClicks {
 
 struct ClickSound {
   std::vector<float> samples;
-  std::vector<double> clicks_s;  // when they begin
+  std::vector<double> clicks_s;  // onset times
 };
 
 class SpeechMaker {
  public:
   SpeechMaker(double samples_per_s, unsigned seed) : rate_(samples_per_s), random_(seed) {}
-  /// Of rms 1 while it sounds.
+  /// Makes speech of rms 1 while it sounds.
   std::vector<double> make(std::size_t count) {
     std::vector<double> sound(count, 0.0);
     for (std::size_t at = 0; at < count;) {
@@ -53,7 +53,7 @@ class SpeechMaker {
 
  private:
   double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
-  /// Beats of the vocal cords through three resonances.
+  /// Adds beats of the vocal cords through three resonances.
   void voiced(std::vector<double>& sound, std::size_t at, std::size_t length) {
     const double pitch_hz = uniform(80, 240);
     const std::array<std::array<double, 2>, 4> formants{
@@ -70,7 +70,7 @@ class SpeechMaker {
       }
     }
   }
-  /// Noise that rises within `rise_s`.
+  /// Adds noise that rises within `rise_s`.
   void hiss(std::vector<double>& sound, std::size_t at, std::size_t length, double rise_s, double gain) {
     std::normal_distribution<double> noise(0, 1);
     double before = 0;
@@ -85,7 +85,7 @@ class SpeechMaker {
   std::mt19937 random_;
 };
 
-/// One coil clicks always about alike.
+/// Click of one coil, always about alike.
 struct MadeCoil {
   double length_s = 1e-3, low_hz = 3000, high_hz = 7000;
 };
@@ -149,13 +149,13 @@ inline ClickSound madeSound(const MadeClicks& made) {
   return sound;
 }
 
-/// What a detector made of it.
+/// Result of a detector.
 struct ClickScore {
   int missed = 0, wrong = 0, doubled = 0;
   double worst_ms = 0, mean_ms = 0;
 };
 
-/// A click is found where one is told within 5 ms of it.
+/// Scores a detector: a click is found if one is reported within 5 ms of it.
 inline ClickScore scoreOf(const std::vector<double>& truth_s, const std::vector<double>& told_s) {
   constexpr double kSame_s = 0.005;
   ClickScore score;

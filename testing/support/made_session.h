@@ -19,13 +19,14 @@ namespace facenav::testing {
 struct MadeSession {
   int pulses = 40, frames = 600;                     // 50 frames a second
   int lost_from = 200, lost_to = 250;                // frames without the face
-  Eigen::Vector3d off_mm = Eigen::Vector3d::Zero();  // of the coil, in Target
+  Eigen::Vector3d off_mm = Eigen::Vector3d::Zero();  // offset of the coil, in Target
   double spread_mm = 1.2;                            // sigma, in x and y
-  bool has_meps = false;                             // larger, the nearer the coil is to the target's +x side
+  bool has_meps = false;                             // MEPs, larger the nearer the coil is to the target's +x
+                                                     // side
   unsigned seed = 5;
 };
 
-/// Where the coil was in frame `n`, in Target.
+/// Positions of the coil in each frame, in Target.
 inline std::vector<Eigen::Vector3d> madeOffsets(const MadeSession& made) {
   std::mt19937 random(made.seed);
   std::normal_distribution<double> aside(0.0, made.spread_mm);
@@ -38,7 +39,7 @@ inline std::vector<Eigen::Vector3d> madeOffsets(const MadeSession& made) {
   return offsets_mm;
 }
 
-/// Everything that is known of the session's frames.
+/// Known content of the session's frames.
 class MadeFrames {
  public:
   MadeFrames(const MadeSession& made, const guidance::Target& target)
@@ -68,7 +69,7 @@ class MadeFrames {
       Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized())), {10, -20, 600}};
 };
 
-/// The pulse of that number, given in frame `n`.
+/// Makes the pulse of that number, given in frame `n`.
 inline casefile::Pulse madePulseOf(int number, int n, const MadeFrames& frames,
                                    const guidance::Target& target, bool has_mep) {
   casefile::Pulse pulse;

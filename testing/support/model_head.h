@@ -120,7 +120,8 @@ inline PointCloud<Camera> measure(const ModelHead& head, const RigidTransform<Ca
   return cloud;
 }
 
-/// The patient about 600 mm in front of the camera, turned by these angles (deg) from upright and facing it.
+/// Pose of a patient about 600 mm in front of the camera, turned by these angles (deg) from upright and
+/// facing it.
 inline RigidTransform<Camera, Mri> facing(double yaw, double pitch, double roll,
                                           const Eigen::Vector3d& shift_mm = {0, 0, 0}) {
   Eigen::Matrix3d upright;

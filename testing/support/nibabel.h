@@ -13,7 +13,7 @@
 
 namespace facenav::testing {
 
-/// The points that the script `python` prints, one per line. nibabel is imported and the file is loaded as
+/// Points that the script `python` prints, one per line. nibabel is imported and the file is loaded as
 /// `image`, by `load`. A failed assertion in the script fails the test.
 inline std::vector<Eigen::Vector3d> pointsByNibabel(const std::filesystem::path& file,
                                                     const std::string& python,

@@ -1,5 +1,5 @@
 #pragma once
-// Sends pulses to a `udp:PORT` source, as a stimulator's computer does, and remembers when.
+// Sends pulses to a `udp:PORT` source, as a stimulator's computer does, and records the times.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -32,7 +32,7 @@ class PulseSender {
   PulseSender& operator=(const PulseSender&) = delete;
 
   std::string source() const { return "udp:127.0.0.1:" + std::to_string(ntohs(place_.sin_port)); }
-  /// Returns the time when it was sent.
+  /// Sends a pulse and returns the time.
   Timestamp send(double intensity_pct) const {
     char text[96];
     const int size =

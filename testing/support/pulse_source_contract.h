@@ -1,5 +1,6 @@
 #pragma once
-// What every PulseSource promises (links/pulse_source.h). A test gives a source and how to make it pulse.
+// The contract of every PulseSource (links/pulse_source.h). A test provides a source and a way to make it
+// pulse.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 
 namespace facenav::testing {
 
-/// Collects what a source tells, from any thread.
+/// Collects the pulses that a source reports, from any thread.
 class HeardPulses {
  public:
   links::PulseListener listener() {
@@ -45,7 +46,8 @@ class HeardPulses {
   std::vector<std::string> problems_;
 };
 
-/// `pulse` makes the source's device pulse once. `least_between_s`: between pulses that are meant as two.
+/// Checks the contract. `pulse` makes the source's device pulse once. `least_between_s`: least time between
+/// two separate pulses.
 inline void expectPulseSourceContract(links::PulseSource& source, const std::function<void()>& pulse,
                                       double least_between_s) {
   HeardPulses heard;

@@ -32,7 +32,7 @@ inline cameras::StereoFrame noiseFrame(std::int64_t number, double t_s) {
   return frame;
 }
 
-/// `count` frames starting at number `start`, 50 per second, with a capture pair.
+/// Writes `count` frames starting at number `start`, 50 per second, with a capture pair.
 inline void writeSmallRecording(const std::filesystem::path& folder, int count = 4, int start = 0) {
   capture::RecordingWriter writer(folder, smallRig());
   for (int i = 0; i < count; ++i) writer.add(noiseFrame(start + i, 0.02 * i));

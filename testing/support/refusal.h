@@ -1,5 +1,5 @@
 #pragma once
-// The words that an action is refused with.
+// The message of a refused action.
 
 #include <functional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace facenav::testing {
 
-/// What() of the Error that `act` throws; empty: it threw none.
+/// Returns what() of the Error that `act` throws; empty if it threw none.
 inline std::string refusalOf(const std::function<void()>& act) {
   try {
     act();

@@ -14,7 +14,7 @@ coil_tracking::CoilModel modelOf(const room::RoomCoil& coil) {
   return model;
 }
 
-/// The face as measured from the capture pair with dots, in the plain pair's frame.
+/// Makes the reference: the face measured from the capture pair with dots, in the plain pair's frame.
 head_tracking::HeadReference referenceOf(const cameras::StereoRig& rig, const capture::CapturePair& pair,
                                          const face::FaceDetector& detector) {
   TaskMonitor monitor;

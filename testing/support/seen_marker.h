@@ -1,5 +1,5 @@
 #pragma once
-// A coil tracker that sees a marker of 60 mm at rest, 600 mm before the cameras, whatever the pictures show.
+// A coil tracker that always returns a marker of 60 mm at rest, 600 mm before the cameras.
 
 #include "facenav/coil_tracking/coil_tracker.h"
 
@@ -7,7 +7,7 @@ namespace facenav::testing {
 
 class SeenMarker : public coil_tracking::CoilTracker {
  public:
-  /// `rig`: how the cameras really stand. `aside_mm`: of the marker's middle, along x of the left camera.
+  /// `rig`: true pose of the cameras. `aside_mm`: offset of the marker's middle along x of the left camera.
   explicit SeenMarker(cameras::StereoRig rig, double aside_mm = 0.0)
       : rig_(std::move(rig)), aside_mm_(aside_mm) {}
   void start(const cameras::StereoRig&, const coil_tracking::CoilModel&) override {}

@@ -1,6 +1,6 @@
 #pragma once
-// What two cameras see while a person sets them up: an empty room, a held board that goes from place to
-// place, a board in a new place, the coil's marker. The test chooses. The program must compile
+// Pictures of two cameras during the set-up, chosen by the test: an empty room, a held board that moves from
+// place to place, a board in a new place, the coil's marker. The program must compile
 // unit/track/coil_tracking/coil_scene.cpp.
 
 #include <atomic>
@@ -13,8 +13,9 @@
 
 namespace facenav::testing {
 
-/// new_place, moved_marker: in one place for a while, then in another. one_place: a board that stays.
-/// other_marker: of another coil, id 3. waved_marker: waved before cameras that read their rows in turn.
+/// Content of the room. new_place, moved_marker: in one place for a while, then in another. one_place: a
+/// board that stays. other_marker: of another coil, id 3. waved_marker: waved before cameras with a rolling
+/// shutter.
 enum class RoomShows {
   nothing,
   held_board,
@@ -29,7 +30,7 @@ enum class RoomShows {
 constexpr double kWaveFrame_s = 1.0 / 30;
 constexpr double kWaveRow_s = 42e-6;  // 20 ms a picture of 480 rows
 
-/// The coil's print, waved to and fro as a hand does, at up to 250 mm/s.
+/// Coil's print, waved to and fro as a hand does, at up to 250 mm/s.
 inline coil_tracking::testing::PlacedPrint wavedPrint(double t_s) {
   const Eigen::Vector3d reach_mm(30, 22, 25), turn_rad_s(2 * M_PI * 1.2, 2 * M_PI * 0.9, 2 * M_PI * 0.7);
   auto pose = coil_tracking::testing::markerPose(600, 20, 70, 10, {-40, 60}).isometry();
@@ -42,7 +43,7 @@ inline coil_tracking::testing::PlacedPrint wavedPrint(double t_s) {
   return print;
 }
 
-/// Frame `i` of it; cameras of `rig` with kWaveRow_s.
+/// Frame `i` of the waved print; cameras of `rig` with kWaveRow_s.
 inline cameras::StereoFrame wavedFrame(cameras::StereoRig rig, int i) {
   rig.left.row_time_s = rig.right.row_time_s = kWaveRow_s;
   coil_tracking::testing::SceneOptions options;
@@ -53,10 +54,10 @@ inline cameras::StereoFrame wavedFrame(cameras::StereoRig rig, int i) {
   return frame;
 }
 
-/// Shared by the test and the source.
+/// State shared by the test and the source.
 struct SetupRoom {
   std::atomic<RoomShows> shows{RoomShows::nothing};
-  std::atomic<double> turned_deg{0};  // of the right camera on its mount, sideways
+  std::atomic<double> turned_deg{0};  // sideways rotation of the right camera on its mount
   std::atomic<bool> is_unplugged{false};
 };
 
@@ -112,7 +113,7 @@ class SetupRoomSource : public capture::FrameSource {
   double now_s_ = -0.15;
 };
 
-/// Sees a face of `face` in every picture.
+/// Detects the face `face` in every picture.
 class FixedFace : public face::FaceDetector {
  public:
   explicit FixedFace(std::optional<cv::Rect> face) : face_(face) {}
@@ -137,7 +138,7 @@ inline steps::SetupMethods setupMethods() {
           [] { return coil_tracking::makeMarkerCoilTracker(); }};
 }
 
-/// Until `condition` holds for the newest view; false: it did not within the limit.
+/// Waits until `condition` is true for the newest view; false if the limit passes first.
 inline bool waitForView(const steps::RigSetup& setup,
                         const std::function<bool(const steps::SetupView&)>& condition, double limit_s = 120) {
   const double until_s = Timestamp::now().s + limit_s;

@@ -1,5 +1,5 @@
 #pragma once
-// OpenCV's semi-global matcher as a DenseMatcher: a peer to hold our matchers against. Needs
+// OpenCV's semi-global matcher as a DenseMatcher: a peer to compare our matchers with. Needs
 // modules/face/stereo/src on the include path.
 
 #include <limits>

@@ -50,7 +50,7 @@ inline const std::vector<std::pair<Misfit, std::string>>& misfits() {
   return all;
 }
 
-/// The live skin: `scanned` displaced. `nose_tip_mm`: Mri. The triangles and normals stay the same.
+/// Makes the live skin: `scanned` displaced. `nose_tip_mm`: Mri. The triangles and normals stay the same.
 inline registration::SkinModel liveSkin(const registration::SkinModel& scanned,
                                         const Eigen::Vector3d& nose_tip_mm, Misfit kind, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -109,7 +109,7 @@ struct StereoView {
   std::uint32_t seed = 1;
 };
 
-/// True under the cloth of a face mask. `d`: from the nose tip, mm.
+/// Returns true under the cloth of a face mask. `d`: from the nose tip, mm.
 inline bool isMasked(const Eigen::Vector3d& d) {
   return std::abs(d.x()) < 60 && d.z() < 14 - 0.3 * std::abs(d.x());
 }
@@ -121,7 +121,7 @@ inline double clothForward_mm(const Eigen::Vector3d& d) {
   return d.y() + 1.6 + std::clamp(bulge - d.y(), 0.0, 3.0);
 }
 
-/// The measurement of `live` by cameras at Camera's origin and 120 mm beside it.
+/// Measures `live` by cameras at Camera's origin and 120 mm beside it.
 inline PointCloud<Camera> measureSkin(const registration::SkinModel& live, const Eigen::Vector3d& nose_tip_mm,
                                       const RigidTransform<Camera, Mri>& camera_T_mri,
                                       const StereoView& view) {

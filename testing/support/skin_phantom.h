@@ -27,7 +27,7 @@ struct SkinPhantom {
   double toNose(const Eigen::Vector3d& p_mm) const { return toEllipsoid(p_mm - nose_at_mm, nose_mm); }
   /// Signed distance to the skin, exact to first order near it; positive outside.
   double toSkin(const Eigen::Vector3d& p_mm) const { return std::min(toHead(p_mm), toNose(p_mm)); }
-  /// True near the crease between nose and head, which no scan resolves.
+  /// Returns true near the crease between nose and head, which no scan resolves.
   bool isNearCrease(const Eigen::Vector3d& p_mm) const { return std::abs(toHead(p_mm) - toNose(p_mm)) < 6.0; }
 
   double level(double distance_mm) const {
@@ -40,7 +40,7 @@ struct SkinPhantom {
            (brain_level - bone) * step(dermis_mm + fat_mm + 7.0);
   }
 
-  /// `spacing_mm` along i, j, k; the grid spans from `low_mm` to `high_mm`.
+  /// Scans the phantom. `spacing_mm` along i, j, k; the grid spans from `low_mm` to `high_mm`.
   volume::Volume scan(const Eigen::Vector3d& spacing_mm, const Eigen::Vector3d& low_mm = {-100, -120, -140},
                       const Eigen::Vector3d& high_mm = {100, 130, 135}) const {
     volume::Volume out;

@@ -17,7 +17,7 @@ inline cv::Matx33d cameraMatrix(double f_px, double cx_px, double cy_px) {
   return {f_px, 0, cx_px, 0, f_px * 1.001, cy_px, 0, 0, 1};
 }
 
-/// 640 x 480, f 800 px, baseline 120 mm, converging by 10 degrees on a point 600 mm away.
+/// Rig of 640 x 480, f 800 px, baseline 120 mm, converging by 10 degrees on a point 600 mm away.
 inline cameras::StereoRig convergingRig() {
   cameras::StereoRig rig;
   rig.width_px = 640;
@@ -30,7 +30,7 @@ inline cameras::StereoRig convergingRig() {
   return rig;
 }
 
-/// The same cameras, with the second one above the first.
+/// Rig of the same cameras, with the second one above the first.
 inline cameras::StereoRig verticalRig() {
   cameras::StereoRig rig = convergingRig();
   const Eigen::Matrix3d r = expRotation({10.0 * M_PI / 180, 0.01, 0.008});
@@ -38,7 +38,7 @@ inline cameras::StereoRig verticalRig() {
   return rig;
 }
 
-/// Both cameras of the converging rig rolled about their axes by 30 and 38 degrees.
+/// Converging rig with both cameras rolled about their axes by 30 and 38 degrees.
 inline cameras::StereoRig rolledRig() {
   cameras::StereoRig rig = convergingRig();
   const Eigen::Isometry3d left_roll(expRigid((Vector6d() << 0, 0, 30 * M_PI / 180, 0, 0, 0).finished()));
@@ -56,7 +56,7 @@ inline cameras::StereoRig fullyDistortedRig() {
   return rig;
 }
 
-/// The central 320 x 240 pixels of a rig's images: the same pixel size, a quarter of the work.
+/// Crops a rig to the central 320 x 240 pixels: the same pixel size, a quarter of the work.
 inline cameras::StereoRig cropped(cameras::StereoRig rig) {
   for (cameras::CameraModel* camera : {&rig.left, &rig.right}) {
     camera->k(0, 2) -= 160;

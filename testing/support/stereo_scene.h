@@ -13,7 +13,7 @@
 
 namespace facenav::testing {
 
-/// Distance along the ray (unit direction) to the surface, NaN where it misses. Camera frame, mm.
+/// Distance along the ray (unit direction) to the surface, NaN if it misses. Camera frame, mm.
 using Surface = std::function<double(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction)>;
 
 inline Surface plane(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& normal) {

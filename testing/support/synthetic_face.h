@@ -31,7 +31,7 @@ class SyntheticFace {
   explicit SyntheticFace(const cv::Mat& portrait, Eigen::Vector2d left_eye_px, Eigen::Vector2d right_eye_px);
   static std::string portraitPath() { return "/usr/lib/python3/dist-packages/skimage/data/astronaut.png"; }
   static SyntheticFace astronaut();
-  /// Another person: the portrait with moved and mirrored features.
+  /// Makes another person: the portrait with moved and mirrored features.
   static SyntheticFace stranger();
 
   cameras::StereoFrame render(const cameras::StereoRig& rig, const SyntheticView& view) const;

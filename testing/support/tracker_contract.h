@@ -1,5 +1,5 @@
 #pragma once
-// What every tracker promises, head or coil. Call expectTrackerContract from the test of each tracker.
+// The contract of every tracker, head or coil. Call expectTrackerContract from the test of each tracker.
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 
 namespace facenav::testing {
 
-/// `start` makes a tracker that has been started; `start_again` starts a used one anew. `frames` show what is
-/// tracked, near the reference, in the order of time. `Track` calls it with an empty context.
+/// `start` makes a started tracker; `start_again` restarts a used one. `frames` show the tracked object near
+/// the reference, in the order of time. `Track` calls it with an empty context.
 template <class Tracker, class Result>
 struct TrackerContract {
   std::function<std::unique_ptr<Tracker>()> make;
@@ -27,7 +27,7 @@ struct TrackerContract {
   std::vector<cameras::StereoFrame> frames;
 };
 
-/// Equal to the last bit.
+/// Compares two results to the last bit.
 template <class Result>
 void expectSame(const Result& a, const Result& b, std::size_t frame) {
   ASSERT_EQ(a.isTracked(), b.isTracked()) << frame;
@@ -40,7 +40,7 @@ void expectSame(const Result& a, const Result& b, std::size_t frame) {
   EXPECT_EQ(a->covariance, b->covariance) << frame;
 }
 
-/// No pose without a covariance that is one, and no frame beyond its budget.
+/// Expects a valid covariance with each pose, and no frame beyond its budget.
 template <class Result>
 void expectSound(const Result& result, std::size_t frame) {
   EXPECT_LE(result.work.comparisons, FrameWork::most()) << frame;
@@ -51,7 +51,7 @@ void expectSound(const Result& result, std::size_t frame) {
   EXPECT_GT(principalAxes(covariance).values(0), 0.0) << frame;
 }
 
-/// Frames that cannot be used: none, another size, colour, all of one grey.
+/// Unusable frames: none, another size, colour, all of one grey.
 inline std::vector<cameras::StereoFrame> unusableFrames(const cameras::StereoFrame& good) {
   const cv::Mat small = good.left(cv::Rect(0, 0, good.left.cols / 2, good.left.rows)).clone();
   const cv::Mat colour(good.left.size(), CV_8UC3, cv::Scalar(90, 90, 90));
@@ -67,8 +67,8 @@ inline std::vector<cameras::StereoFrame> unusableFrames(const cameras::StereoFra
   return frames;
 }
 
-/// Plays the frames: the same frames give the same results, in a second tracker and after a second start; a
-/// frame that cannot be used is Lost{camera}, and the next good one is tracked.
+/// Plays the frames: the same frames give the same results, in a second tracker and after a second start; an
+/// unusable frame gives Lost{camera}, and the next good one is tracked.
 template <class Tracker, class Result>
 void expectTrackerContract(const TrackerContract<Tracker, Result>& contract) {
   const auto first = contract.make(), second = contract.make();

@@ -1,5 +1,5 @@
 #pragma once
-// Cameras as /sys and /proc show them, over a kernel of the tests (fake_v4l2.h).
+// Cameras as /sys and /proc show them, over the fake kernel (fake_v4l2.h).
 
 #include <filesystem>
 #include <fstream>
@@ -12,7 +12,7 @@ namespace facenav::testing {
 
 class V4l2Tree {
  public:
-  /// `index`: "0" gives pictures, others carry metadata.
+  /// Adds a camera. `index`: "0" gives pictures, others carry metadata.
   void add(const std::string& video, const std::string& model, const std::string& port,
            const std::string& serial, const std::string& index = "0") {
     namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ class V4l2Tree {
     fs::create_directory_symlink(interface, entry / "device");
     if (index == "0") kernel().cameras["/dev/" + video] = std::make_shared<FakeV4l2Camera>();
   }
-  /// Another program has it open and streams.
+  /// Marks it as opened and streaming by another program.
   void use(const std::string& video, const std::string& program, const std::string& process) {
     kernel().cameras["/dev/" + video]->is_busy = true;
     std::filesystem::create_directories(root() / "proc" / process / "fd");

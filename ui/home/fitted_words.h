@@ -1,6 +1,6 @@
 #pragma once
-// FittedWords: a sentence as large as its place allows, up to a wanted size: with doubled text or in a small
-// window it gets smaller, and is never cut.
+// FittedWords: shows a sentence as large as its place allows, up to a wanted size. With doubled text or in a
+// small window it gets smaller; it is never cut.
 
 #include <QColor>
 #include <QWidget>
@@ -11,7 +11,7 @@ class FittedWords : public QWidget {
   Q_OBJECT
 
  public:
-  /// `largest_pt`: at normal text size.
+  /// `largest_pt`: size at normal text size.
   explicit FittedWords(double largest_pt, QWidget* parent = nullptr);
   void set(const QString& words, const QColor& colour);
   const QString& words() const { return words_; }

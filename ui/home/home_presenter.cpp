@@ -15,7 +15,7 @@ HomePresenter::HomePresenter(const Services& services, TaskRunner& tasks, QObjec
   connect(&cameras_, &CamerasPresenter::changed, this, &HomePresenter::changed);
   connect(&cameras_, &CamerasPresenter::refused, this, &HomePresenter::refuse);
   cameras_.useCoilOf([this] { return home_ ? home_->coil : coil_tracking::defaultCoil(); });
-  // After the task that took it.
+  // Queued, so that it runs after the task that took the runner.
   connect(
       &cameras_, &CamerasPresenter::captureTaken, this,
       [this] {
@@ -34,7 +34,7 @@ void HomePresenter::set(Stage stage, const QString& refusal) {
   emit changed();
 }
 
-/// What failed decides where to go on.
+/// Shows the refusal and returns to the stage from which the user can continue.
 void HomePresenter::refuse(const QString& words) {
   const QString sentence = QString::fromStdString(steps::homeRefusal(Error(words.toStdString())));
   if (!home_) return set(Stage::unusable, words);
@@ -53,7 +53,7 @@ void HomePresenter::open(const QString& case_folder) {
   });
 }
 
-/// Only its pictures count: the coil is the case's.
+/// Uses only the recording's pictures; the coil is the case's.
 void HomePresenter::play(const QString& recording) {
   try {
     recording_ = capture::openRecording(std::filesystem::path(recording.toStdString()));
@@ -201,7 +201,7 @@ QString HomePresenter::reminder() const {
   return tr("The coil's calibration is old or not recorded: tell the clinic.");
 }
 
-/// The window shows nothing of the session from here on: it ends on another thread.
+/// Ends the session on another thread; the window no longer shows it.
 void HomePresenter::finish() {
   counts_ = treatment_->log().counts();
   tasks_.start(tr("Closing"),

@@ -21,48 +21,49 @@ class HomePresenter : public QObject {
   Q_OBJECT
 
  public:
-  /// opening: the case is read. unusable: it cannot be treated with. sit: before the face is measured.
-  /// starting: it is measured, or the trackers start. guiding, ending, ended.
+  /// Stage of the treatment. opening: the case is read. unusable: the case cannot be used for treatment. sit:
+  /// before the face is measured. starting: the face is measured, or the trackers start. guiding, ending,
+  /// ended.
   enum class Stage { opening, unusable, sit, starting, guiding, ending, ended };
 
   HomePresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
   ~HomePresenter() override;
 
   void open(const QString& case_folder);
-  /// A recording in place of the cameras.
+  /// Uses a recording in place of the cameras.
   void play(const QString& recording);
   CamerasPresenter& cameras() { return cameras_; }
   bool hasPictures() const { return recording_.has_value() || cameras_.isLive(); }
 
   Stage stage() const { return stage_; }
-  /// Why the last step was refused, in one sentence; empty: it was not.
+  /// Why the last step was refused, in one sentence; empty if it was not.
   QString refusal() const { return refusal_; }
-  /// What the big button does now: "START", "TAKE THE PICTURE", "FINISH", ..; empty: nothing.
+  /// Text of the big button: "START", "TAKE THE PICTURE", "FINISH", ..; empty if it does nothing.
   QString actionWords() const;
-  /// What to do, where no session runs: one sentence.
+  /// What to do while no session runs, in one sentence.
   QString words() const;
-  /// The big button.
+  /// Does what the big button offers.
   void act();
-  /// The next step of a running session.
+  /// Returns the next step of a running session.
   steps::HomeAdvice advice();
   std::shared_ptr<const session::NavigationState> state() const;
 
   void countPulse();
   session::PulseCounts pulseCounts() const;
   std::optional<int> plannedPulses() const;
-  /// What must be known of the coil: that its calibration is old; empty: nothing.
+  /// Reminder about the coil, such as an old calibration; empty if there is none.
   QString reminder() const;
 
-  /// Of the file to send back: "facenav_20261123T140509Z.zip".
+  /// Name of the file to send back: "facenav_20261123T140509Z.zip".
   QString sendBackName() const;
-  /// Writes it. False: refused, with words.
+  /// Writes the file to send back. Returns false, after refused(), if that fails.
   bool save(const QString& file);
-  /// Where it was saved; empty: not yet.
+  /// Path of the saved file; empty before.
   QString savedAs() const { return saved_as_; }
 
  signals:
   void changed();
-  /// A name for the file is wanted.
+  /// The user must choose a name for the file.
   void saveWanted();
 
  private:
@@ -79,12 +80,12 @@ class HomePresenter : public QObject {
   Stage stage_ = Stage::opening;
   QString refusal_, play_refusal_, saved_as_;
   std::optional<steps::HomeCase> home_;
-  std::optional<capture::Recording> recording_;  // played; nothing: live cameras
+  std::optional<capture::Recording> recording_;  // played; empty with live cameras
   std::shared_ptr<steps::Treatment> treatment_;
   std::optional<steps::OtherCoilWatch> other_coil_;
   std::filesystem::path session_;
   std::optional<int> planned_;
-  session::PulseCounts counts_;  // of the ended session
+  session::PulseCounts counts_;  // pulses of the ended session
   AsynchronousShutdown retirement_;
 };
 

@@ -89,7 +89,7 @@ void HomeWindow::chooseFile() {
   presenter_.save(file);
 }
 
-/// `active`: the step that is on, 0 to 2; 3: all are done.
+/// `active`: index of the current step, 0 to 2; 3 if all are done.
 void HomeWindow::showSteps(int active, bool is_done) {
   const QString names[3] = {tr("1  Sit and look"), tr("2  Hold the coil"), tr("3  Follow the arrow")};
   for (int i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ void HomeWindow::showSteps(int active, bool is_done) {
   }
 }
 
-/// Like a mirror.
+/// Shows the camera's picture mirrored.
 void HomeWindow::showPicture() {
   auto frame = presenter_.state()->images;
   if (!frame) frame = presenter_.cameras().picture();

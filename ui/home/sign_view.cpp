@@ -13,7 +13,7 @@ using steps::HomeSign;
 
 const QColor kQuiet(70, 80, 92), kArrow(255, 196, 60), kGood(82, 200, 120), kStop(240, 96, 90);
 
-/// Upwards, in a square of -50 .. 50.
+/// Arrow that points up, in a square of -50 .. 50.
 QPolygonF arrowShape() {
   return QPolygonF({{0, -46}, {30, -12}, {12, -12}, {12, 44}, {-12, 44}, {-12, -12}, {-30, -12}});
 }
@@ -54,7 +54,7 @@ void drawStop(QPainter& painter) {
   painter.drawRect(QRectF(-26, -6, 52, 12));
 }
 
-/// Towards or away from the head, seen from the side: the head is the line below.
+/// Draws the motion towards or away from the head in side view; the line below is the head.
 void drawLift(QPainter& painter, bool is_up) {
   painter.setPen(QPen(kQuiet, 8, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(-40, 44), QPointF(40, 44));
@@ -67,7 +67,7 @@ void drawLift(QPainter& painter, bool is_up) {
   painter.restore();
 }
 
-/// A small arrow at the side that must rise.
+/// Draws a small arrow at the side that must rise.
 void drawRaised(QPainter& painter, const QPointF& at) {
   painter.save();
   painter.translate(at);
@@ -96,7 +96,7 @@ void SignView::set(HomeSign sign, double arrow_rad, bool is_refused) {
   update();
 }
 
-/// Two wings and the handle below, faint, for the signs that need to know where the coil's sides are.
+/// Draws the coil faintly, two wings and the handle below, for signs that refer to its sides.
 void SignView::drawCoil(QPainter& painter) const {
   painter.setPen(QPen(kQuiet, 5));
   painter.setBrush(Qt::NoBrush);

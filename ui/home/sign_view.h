@@ -1,7 +1,6 @@
 #pragma once
-// SignView: the one big sign of the home window: an arrow to slide along, up or down, a turn, a side to
-// raise, or a tick. Drawn as seen from behind the coil's handle, which points down. Shape first, colour
-// second.
+// SignView: the big sign of the home window: an arrow to slide along, up or down, a turn, a side to raise, or
+// a tick. The coil is seen from behind its handle, which points down. Shape comes first, colour second.
 
 #include <QWidget>
 

@@ -12,8 +12,8 @@
 namespace facenav::ui {
 namespace {
 
-/// "along: cortex 27 mm deep", "cortex 27 mm deep" or "27 mm": the longest that fits. A figure that is cut
-/// off would be another one.
+/// Returns the longest wording that fits: "along: cortex 27 mm deep", "cortex 27 mm deep" or "27 mm". A
+/// figure that is cut off would be misread.
 QString longestFitting(const QString& words, const QFontMetrics& metrics, int room_px) {
   static const QRegularExpression kFigure("[0-9.]+ mm");
   for (const QString& shorter : {words, words.section(": ", -1)})
@@ -98,7 +98,7 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
       painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), QColor(0, 0, 0, 170));
     painter.drawText(8, top + metrics.ascent(), shown);
   };
-  const int letters = sized(24);  // the side's letters stand below
+  const int letters = sized(24);  // the letters of the sides are drawn below
   write(caption(), 4);
   write(boundWords(), height() - letters - metrics.height());
 }

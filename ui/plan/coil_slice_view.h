@@ -1,5 +1,5 @@
 #pragma once
-// CoilSliceView: the MRI on a plane along the coil's axis (scene/coil_slices.h), of a planned coil or of the
+// CoilSliceView: the MRI on a plane along the coil's axis (scene/coil_slices.h), for a planned coil or the
 // live one. Without a coil it shows words and no picture. Left: crosshair, double click: choose a point,
 // right: zoom, Ctrl+left: window and level.
 
@@ -17,9 +17,9 @@ class CoilSliceView : public QWidget {
 
  public:
   CoilSliceView(scene::CoilCut cut, QWidget* parent = nullptr);
-  /// Shared by the linked views; null: empty.
+  /// Sets the scene, which the linked views share; null: empty.
   void setScene(std::shared_ptr<scene::SliceScene> scene);
-  /// Nothing: no coil, for the reason `words`; the last slice goes at once.
+  /// Sets the coil. Without one the last slice is removed at once and `words` give the reason.
   void setCoil(const std::optional<scene::SlicedCoil>& coil, const QString& words = {});
   /// Draws again after the scene's content changed.
   void refresh();
@@ -31,7 +31,7 @@ class CoilSliceView : public QWidget {
   QString caption() const;
   /// "ring: 95 % within 1.6 mm"; empty where it is not known.
   QString boundWords() const;
-  /// What stands in place of the slice.
+  /// Text in place of the slice.
   QString words() const { return words_; }
 
  signals:

@@ -81,7 +81,7 @@ void CortexPresenter::make() {
                   auto made = std::make_shared<scene::CortexPicture>(
                       scene::makeCortexPicture(*mri, *mask, std::move(*cortex), monitor));
                   return [this, subject, made] {
-                    if (subject == subject_) cortex_ = made;  // else it belongs to another brain
+                    if (subject == subject_) cortex_ = made;  // otherwise it is another brain's
                     emit cortexChanged();
                     emit changed();
                     QMetaObject::invokeMethod(

@@ -20,7 +20,7 @@ class CortexPresenter : public QObject {
   explicit CortexPresenter(CaseModel& model, QObject* parent = nullptr);
 
   scene::BrainLook look() const { return look_; }
-  /// Starts computing the cortex if the look needs it. Remembered.
+  /// Sets the look and remembers it. Starts computing the cortex if the look needs it.
   void setLook(scene::BrainLook look);
   /// Shows the distance map with the phi-theta model beside it.
   void setBesideModel();
@@ -28,7 +28,7 @@ class CortexPresenter : public QObject {
   /// Sets the last choice (QSettings).
   void restoreLook();
   double peel_mm() const { return peel_mm_; }
-  /// 0..40 mm.
+  /// Sets the peel depth, 0..40 mm.
   void setPeel_mm(double peel_mm);
   /// Null until it is computed.
   std::shared_ptr<const scene::CortexPicture> cortex() const { return cortex_; }
@@ -43,7 +43,7 @@ class CortexPresenter : public QObject {
  signals:
   /// Look, depth or words changed.
   void changed();
-  /// There is another cortex, or none.
+  /// The cortex was replaced or removed.
   void cortexChanged();
 
  private:

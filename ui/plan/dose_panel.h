@@ -1,6 +1,6 @@
 #pragma once
-// DosePanel: what a session gives: the case's protocol, and the active target's own dose in its place. Also
-// the coil that the case is planned for.
+// DosePanel: the dose of a session: the case's protocol, or the active target's own dose. Also the coil that
+// the case is planned for.
 
 #include <QFrame>
 
@@ -22,7 +22,7 @@ class DosePanel : public QFrame {
   explicit DosePanel(PlanPresenter& presenter, QWidget* parent = nullptr);
 
  signals:
-  /// The user wants to choose a file; a menu that holds this panel closes.
+  /// The user wants to choose a file; a menu that contains this panel closes.
   void choosing();
 
  private:

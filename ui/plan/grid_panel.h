@@ -1,5 +1,5 @@
 #pragma once
-// GridPanel: rows, columns and spacing of a grid round the active target.
+// GridPanel: rows, columns and spacing of a grid around the active target.
 
 #include <QFrame>
 

@@ -21,11 +21,12 @@ class HeadPresenter : public QObject {
   const steps::HeadMeasures* measures();
   /// Puts a landmark at the skin nearest to a place. Refused far from the skin.
   void setLandmark(surface::Landmark which, const Point<Mri>& p);
-  /// Finds it again in place of what a hand set.
+  /// Finds the landmark again, which replaces a manual position.
   void findAgain(surface::Landmark which);
   /// "nasion  R1 A84 I40  ± 2 mm, by hand", one per line.
   QString describe();
-  /// The place of an EEG site, or Beam F3; nothing, with a reason by refused(), if it cannot be measured.
+  /// Position of an EEG site, or Beam F3. Returns nothing, with a reason by refused(), if it cannot be
+  /// measured.
   std::optional<Point<Mri>> site(const QString& name);
   /// All EEG sites on the skin; empty, with a reason by refused(), if they cannot be measured.
   std::vector<guidance::EegSite> sites();

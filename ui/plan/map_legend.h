@@ -1,5 +1,5 @@
 #pragma once
-// MapLegend: the colours of the maps that are shown, with values and unit, for both signs.
+// MapLegend: colours of the displayed maps with values and unit, for both signs.
 
 #include <QWidget>
 

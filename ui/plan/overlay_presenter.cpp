@@ -21,7 +21,7 @@ OverlayPresenter::OverlayPresenter(CaseModel& model, QObject* parent) : QObject(
   });
 }
 
-/// All of the case; one that cannot be read is named, and the others are shown.
+/// Loads all overlays of the case; names one that cannot be read, and shows the others.
 void OverlayPresenter::load() {
   if (!model_.isOpen() || runner_.isRunning() ||
       !std::filesystem::exists(model_.current().store.folder() / "overlays.json"))
@@ -80,7 +80,7 @@ void OverlayPresenter::add(const QString& file, std::optional<casefile::OverlayS
         const auto entry = steps::addOverlay(store, wanted);
         const auto overlay = steps::loadOverlay(store, entry, mri->grid);
         return TaskRunner::Delivery([this, subject, entry, overlay] {
-          if (subject != subject_) return;  // another case was opened; this one holds it
+          if (subject != subject_) return;  // another case was opened; this overlay belongs to `subject`
           entries_.push_back(entry);
           loaded_.push_back(overlay);
           emit changed();

@@ -1,6 +1,6 @@
 #pragma once
 // OverlayPresenter: overlays of the open case (plan/overlays.h): adds files of other programs in the
-// background, removes them, and changes how they are shown. Every change is kept in the case at once.
+// background, removes them, and changes how they are shown. Every change is saved in the case at once.
 
 #include <QObject>
 #include <memory>
@@ -20,9 +20,9 @@ class OverlayPresenter : public QObject {
 
   const std::vector<casefile::OverlayEntry>& entries() const { return entries_; }
   const casefile::OverlayEntry* find(const QString& name) const;
-  /// Those that are shown, in Mri.
+  /// The displayed overlays, in Mri.
   std::vector<scene::Overlay> shown() const;
-  /// Adds a file; `space`: nothing, as the file says. refused() says why it cannot be.
+  /// Adds a file. `space`: empty if the file determines it. refused() gives the reason if it cannot be added.
   void add(const QString& file, std::optional<casefile::OverlaySpace> space, const QString& name);
   void remove(const QString& name);
   /// Opacity, threshold, end of colours, unit, and whether it is shown.
@@ -41,7 +41,7 @@ class OverlayPresenter : public QObject {
   CaseModel& model_;
   TaskRunner runner_;
   std::vector<casefile::OverlayEntry> entries_;
-  std::vector<scene::Overlay> loaded_;  // of the entries that could be read
+  std::vector<scene::Overlay> loaded_;  // the entries that could be read
   int subject_ = 0;
 };
 

@@ -23,7 +23,7 @@ class OverlaysPanel : public QFrame {
   explicit OverlaysPanel(OverlayPresenter& presenter, QWidget* parent = nullptr);
 
  signals:
-  /// The user wants to choose a file; a menu that holds this panel closes.
+  /// The user wants to choose a file; a menu that contains this panel closes.
   void choosing();
 
  private:

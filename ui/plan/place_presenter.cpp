@@ -27,7 +27,7 @@ QString figures(const QString& frame, const Eigen::Vector3d& mm) {
 PlacePresenter::PlacePresenter(const Services& services, CaseModel& model, QObject* parent)
     : QObject(parent), services_(services), model_(model) {}
 
-/// Read once, at first use. Without it there are coordinates, but no names.
+/// Labels of the atlas, read at first use. Without them there are coordinates, but no names.
 const atlas::BrainTemplate* PlacePresenter::labels() const {
   if (has_tried_ || !services_.readTemplate) return labels_.get();
   has_tried_ = true;

@@ -227,7 +227,7 @@ std::optional<guidance::Dose> PlanPresenter::doseInForce() const {
   try {
     const auto protocol = casefile::protocolOf(model_.current().store.folder());
     return protocol ? std::optional(protocol->dose) : std::nullopt;
-  } catch (const Error&) {  // protocolWords() says it
+  } catch (const Error&) {  // protocolWords() gives the reason
     return std::nullopt;
   }
 }

@@ -19,13 +19,13 @@ class PlanPresenter : public QObject {
   /// Adds a target at a point of the cortex, under the scalp, with the handle at 45 degrees. It becomes the
   /// active one. Refused for a point outside the head.
   void addTarget(const Point<Mri>& cortex_point);
-  /// A click on the scalp: the target is at the nearest brain surface below.
+  /// Adds a target at the brain surface nearest to a click on the scalp.
   void addTargetAtScalp(const Point<Mri>& scalp_point);
   /// Adds a target at the point itself if it lies in the brain, else at the nearest point of the cortex.
   /// Refused if the point lies more than surface::kFarthestOutside_mm outside the head.
   void addTargetNear(const Point<Mri>& point);
-  /// Adds a target at a preset (plan/presets.h), with its name; one of the same name is replaced. Refused
-  /// where the head has no such place.
+  /// Adds a target at a preset (plan/presets.h), under the preset's name; replaces one of the same name.
+  /// Refused if the head has no such place.
   void addPreset(const QString& preset, const steps::HeadMeasures& measures);
   void removeActive();
   void renameActive(const QString& name);
@@ -37,29 +37,29 @@ class PlanPresenter : public QObject {
   void setGap(const QString& typed);
   /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
   void nudgeActive(double x_mm, double y_mm);
-  /// A copy, and the same on the other side of the head (through the atlas); each becomes the active one.
+  /// Copies the active target, or mirrors it through the atlas; the copy becomes the active one.
   void duplicateActive();
   void mirrorActive();
   /// A locked target can be neither changed nor removed.
   void lockActive(bool is_locked);
   void setNote(const QString& note);
-  /// The active target's own dose; nothing: the protocol's holds. Refused out of its ranges.
+  /// Sets the active target's own dose; empty: the protocol's dose applies. Refused outside its ranges.
   void setDose(const std::optional<guidance::Dose>& dose);
-  /// The case uses a copy of this protocol file from now on, or none. Refused as casefile::setProtocol.
+  /// Uses a copy of this protocol file for the case, or none. Refused as casefile::setProtocol.
   void setProtocol(const QString& file);
   void removeProtocol();
-  /// The case is planned for this coil.json from now on; targets stay as they are until they are edited.
+  /// Plans the case for this coil.json; targets keep their poses until they are edited.
   void setCoil(const QString& file);
-  /// Names of the coils of the library that can be used.
+  /// Names of the usable coils of the library.
   QStringList libraryCoils() const;
-  /// The same as setCoil by the coil's name in the library.
+  /// Sets the coil by its name in the library, as setCoil does by its file.
   void setCoilNamed(const QString& name);
-  /// A grid round the active target; nothing removes it. Targets of it that were edited by hand stay.
+  /// Sets a grid around the active target, or removes it. Its targets that were edited by hand stay.
   void setGrid(const std::optional<guidance::GridSpec>& grid);
-  /// Up (-1) or down (1) in the list.
+  /// Moves the active target up (-1) or down (1) in the list.
   void moveActive(int places);
-  /// The target of the undone step becomes the active one. If the case cannot be written nothing changes,
-  /// refused() says why, and the step can be tried again.
+  /// Undoes the last step and makes its target the active one. If the case cannot be written nothing changes,
+  /// refused() gives the reason, and the step can be tried again.
   void undo();
   void redo();
 
@@ -69,9 +69,10 @@ class PlanPresenter : public QObject {
   void setActive(const QString& name);
   QString activeName() const { return QString::fromStdString(editor_.activeName()); }
   const guidance::Target* active() const;
-  /// The active target's coil with the error that the case's alignment predicts there; nothing without one.
+  /// The active target's coil with the error that the case's alignment predicts there; empty without a
+  /// target.
   std::optional<scene::SlicedCoil> slicedCoil() const;
-  /// "+45" (or "+43.7") and "4.0", as shown in the fields; empty without an active target.
+  /// Texts of the fields: "+45" (or "+43.7") and "4.0"; empty without an active target.
   QString handleFigure() const;
   QString gapFigure() const;
   /// Angle of the handle, -180..180 degrees, as guidance::handleAngle gives it. This and the functions below
@@ -79,19 +80,19 @@ class PlanPresenter : public QObject {
   double handleAngle_deg(const guidance::Target& target) const;
   /// "handle +45° from anterior (+ to the midline)".
   QString handleWords(const guidance::Target& target) const;
-  /// "rests flat on the head", or how far its centre is from the skin, its tilt, its contacts.
+  /// "rests flat on the head", or the distance of its centre from the skin, its tilt and its contacts.
   QString contactWords(const guidance::Target& target) const;
-  /// How the active target differs from another one, in mm and degrees.
+  /// Differences between the active target and another one, in mm and degrees.
   QString compareWords(const QString& other) const;
-  /// The active target's own dose, else the protocol's; nothing: neither states one.
+  /// The active target's own dose, else the protocol's; empty if neither gives one.
   std::optional<guidance::Dose> doseInForce() const;
   /// "'M1 10 Hz', version 2: 3000 pulses", or that there is none, or why it cannot be read.
   QString protocolWords() const;
-  /// "25 min 0 s" of the dose in force; empty where it is not known.
+  /// Duration of the dose in force: "25 min 0 s"; empty if it is not known.
   QString durationWords() const;
   QString coilWords() const;
-  /// "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, and the contact; one per
-  /// line.
+  /// Describes a target, one item a line: "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, the
+  /// contact.
   QString describe(const guidance::Target& target) const;
 
  signals:

@@ -93,7 +93,7 @@ TargetTools* PlanWorkspace::makeTools(QWidget* parent) {
   return tools;
 }
 
-/// A search over the list, and the active target's note.
+/// Makes the search field of the list and the note of the active target.
 QWidget* PlanWorkspace::makeFields(QWidget* parent) {
   search_ = new QLineEdit(parent);
   search_->setPlaceholderText(tr("search"));
@@ -226,7 +226,7 @@ void PlanWorkspace::addKeys() {
   key(QKeySequence::Redo, [this] { presenter_.redo(); });
   key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
   key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
-  // Seen from above the coil, its +x points left.
+  // The coil is seen from above, so its +x points left.
   for (const auto& [modifier, mm] : {std::pair(0, 1.0), std::pair(int(Qt::SHIFT), 5.0)}) {
     const int held = Qt::ALT + modifier;
     const double step_mm = mm;

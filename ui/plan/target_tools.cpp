@@ -11,7 +11,7 @@
 namespace facenav::ui {
 namespace {
 
-/// The first measures of a head and large grids take a second or two.
+/// Shows a wait cursor: the first measures of a head and large grids take a second or two.
 class WaitCursor {
  public:
   WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }

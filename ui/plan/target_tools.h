@@ -18,10 +18,10 @@ class TargetTools : public QFrame {
   TargetTools(PlanPresenter& plan, HeadPresenter& head, QWidget* parent = nullptr);
 
  signals:
-  /// A landmark lies at the crosshair.
+  /// The user marks this landmark at the crosshair.
   void landmarkWanted(facenav::surface::Landmark which);
   void goTo(double x_mm, double y_mm, double z_mm);
-  /// Show how the active target differs from this one; empty: from none.
+  /// Compare the active target with this one; empty: with none.
   void compareWith(const QString& target);
 
  private:

@@ -20,7 +20,7 @@ TypedCoordinates readNumbers(const QStringList& parts) {
   return refused(tr("three numbers in mm are expected, such as -38 -22 56"));
 }
 
-/// True if each comma can only be a decimal mark.
+/// Returns true if each comma can only be a decimal mark.
 bool haveDecimalCommas(const QStringList& parts) {
   static const QRegularExpression kNumber("^[+-]?\\d+(,\\d+)?$");
   for (const QString& part : parts)

@@ -1,5 +1,5 @@
 #pragma once
-// Three typed coordinates in mm, with a point or a comma as the decimal mark. Ambiguous input is refused.
+// Reads three typed coordinates in mm, with a point or a comma as the decimal mark. Refuses ambiguous input.
 
 #include <Eigen/Core>
 #include <QString>
@@ -9,7 +9,7 @@ namespace facenav::ui {
 
 struct TypedCoordinates {
   std::optional<Eigen::Vector3d> mm;
-  QString fault;  // why they cannot be read, in one line
+  QString fault;  // why the text cannot be read, in one line
 };
 
 /// Numbers are separated by spaces, by ';', or by ',' next to a space: "-38 5 60", "12,5; -3,0; 40", "12.5,
@@ -18,7 +18,7 @@ struct TypedCoordinates {
 /// commas, "12,5,-3,0,40", "12,5 40".
 TypedCoordinates readCoordinates(const QString& typed);
 
-/// One typed number: "-38.5", "+45", "12,5", with or without its unit. Nothing if it is no number.
+/// Reads one typed number: "-38.5", "+45", "12,5", with or without its unit. Returns nothing for other text.
 std::optional<double> readNumber(const QString& typed, const QString& unit);
 
 }  // namespace facenav::ui

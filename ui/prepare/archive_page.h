@@ -22,7 +22,7 @@ class ArchivePage : public QWidget {
   explicit ArchivePage(ArchivePresenter& presenter, QWidget* parent = nullptr);
 
  signals:
-  /// Leaves the page: a series was queued, or the user went back.
+  /// The page is left: a series was queued, or the user went back.
   void queued();
   void left();
 

@@ -23,7 +23,7 @@ class ArchivePresenter : public QObject {
   pacs::Retrieval retrieval() const { return retrieval_; }
   void setRetrieval(pacs::Retrieval retrieval);
 
-  /// C-ECHO.
+  /// Tests the connection (C-ECHO).
   void test();
   void find(const pacs::PacsQuery& query);
   /// Fetches one line of the result and queues it.

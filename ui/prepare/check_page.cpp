@@ -101,7 +101,7 @@ void CheckPage::showCase() {
   showFindings();
 }
 
-/// Skin orange, brain under correction blue, automatic brain white.
+/// Shows the contours: skin orange, brain under correction blue, automatic brain white.
 void CheckPage::showContours() {
   if (!model_.isOpen() || is_outdated_) return;
   std::vector<scene::SliceContour> contours{{model_.current().head_mask, scene::palette::kOrange}};

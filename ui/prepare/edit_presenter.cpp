@@ -89,7 +89,7 @@ void EditPresenter::open() {
   emit maskChanged(false);
 }
 
-/// Passes the unsaved correction to the model: a sign-off does not hold beside it.
+/// Passes the unsaved correction to the model: a sign-off is not valid beside it.
 void EditPresenter::tellDraft() {
   if (editor_ && model_.isOpen()) model_.setDraft(hasUnsaved() ? mask() : nullptr);
 }
@@ -298,7 +298,7 @@ void EditPresenter::save() {
                  return [this, revision, editor, brain, saved, shown, status, folder = store.folder()] {
                    if (!model_.isOpen() || model_.current().store.folder() != folder) return;
                    if (editor == editor_) noteSaved(revision);
-                   auto now = status;  // a sign-off does not hold beside a newer stroke
+                   auto now = status;  // a sign-off is not valid beside a newer stroke
                    now.has_draft = hasUnsaved();
                    model_.setBrain(saved, brain, shown, now);
                    emit changed();

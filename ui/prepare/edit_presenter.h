@@ -31,7 +31,7 @@ class EditPresenter : public QObject, public SliceTool {
   void setTool(EditTool tool);
   double radius_mm() const { return radius_mm_; }
   void setRadius_mm(double radius_mm);
-  /// True: a ball. False: a disc in the shown slice.
+  /// Sets the brush: a ball, or a disc in the shown slice.
   void setBall(bool is_ball);
 
   double cutDepth_mm() const { return cut_depth_mm_; }
@@ -98,7 +98,7 @@ class EditPresenter : public QObject, public SliceTool {
   CaseModel& model_;
   TaskRunner& tasks_;
   std::shared_ptr<editing::MaskEditor> editor_;
-  std::unique_ptr<editing::MaskAutosave> autosave_;  // of the editor's own case
+  std::unique_ptr<editing::MaskAutosave> autosave_;  // of the case that the editor works on
   std::uint64_t saved_revision_ = 0;
   bool has_draft_ = false;
   EditTool tool_ = EditTool::none;

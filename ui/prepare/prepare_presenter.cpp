@@ -90,7 +90,7 @@ void PreparePresenter::makeLines() {
 int PreparePresenter::recommendedLine() const {
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_recommended) return int(i);
-  // Only a person can say which patient or which reading is meant.
+  // Only a person can choose the patient or the reading.
   if (has_several_patients_ || has_several_readings_) return -1;
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (lines_[i].is_usable) return int(i);

@@ -29,15 +29,15 @@ class PreparePresenter : public QObject {
   PreparePresenter(const Services& services, CaseModel& model, TaskRunner& tasks, PrepareQueue& queue,
                    QObject* parent = nullptr);
 
-  /// DICOM folder: lists its series. NIfTI file: one line.
+  /// Lists the series of a DICOM folder; a NIfTI file gives one line.
   void openInput(const QString& path);
   /// Queues the chosen line.
   void prepare(int line);
   void openCase(const QString& folder);
 
   const std::vector<SeriesLine>& lines() const { return lines_; }
-  /// The line to choose first; -1: none is usable, or a person must say which patient, or which reading of
-  /// the same slices, is meant.
+  /// The line to choose first; -1 if none is usable, or if the user must choose between patients, or between
+  /// readings of the same slices.
   int recommendedLine() const;
   /// Names are hidden until the user asks for them.
   void setPatientsShown(bool are_shown);
@@ -52,7 +52,7 @@ class PreparePresenter : public QObject {
   struct Listed {
     dicom::SeriesInfo info;
     std::optional<dicom::Thumbnail> thumbnail;
-    QString patient;  // in words
+    QString patient;  // description in words
   };
   void makeLines();
 

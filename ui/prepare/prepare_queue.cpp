@@ -34,7 +34,7 @@ QString seriesTitle(const dicom::SeriesInfo& series) {
   return words.isEmpty() ? PrepareQueue::tr("(no description)") : words;
 }
 
-/// Whole or not at all: made under a hidden name, then renamed to its random id.
+/// Makes a case completely or not at all: under a hidden name, then renamed to its random id.
 fs::path makeCase(const Services& services, const fs::path& cases, PrepareOrder order, TaskMonitor& monitor) {
   fs::create_directories(cases);
   order.case_folder = cases / (".new-" + QUuid::createUuid().toString(QUuid::Id128).toStdString());
@@ -108,7 +108,7 @@ int PrepareQueue::add(const QString& input, const std::optional<std::string>& se
     const bool is_pending = known.state == JobState::queued || known.state == JobState::preparing;
     if (known.input != input) continue;
     if (is_pending && known.series_uid == series_uid) return known.id;
-    if (!is_pending) {  // chosen by hand this time, or tried again
+    if (!is_pending) {  // chosen by hand now, or retried
       known.series_uid = series_uid;
       retry(known.id);
       return known.id;
@@ -187,7 +187,7 @@ void PrepareQueue::begin() {
   const bool is_volume = isNifti(next->input);
   tasks_.start(tr("Preparing"),
                [this, order, cases, is_volume, id = running_](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 // Of this thread, so that a treatment is not slowed down.
+                 // Lowers this thread's priority, so that a treatment is not slowed down.
                  ::setpriority(PRIO_PROCESS, 0, kBackground);
                  auto chosen = order;
                  if (!is_volume && !chosen.series_uid) {

@@ -1,7 +1,7 @@
 #pragma once
-// PrepareQueue: dropped folders and NIfTI files that are to become cases. Each is scanned and its recommended
-// series prepared, one at a time, in the background and at low priority. A failed job stays in the list with
-// one line of explanation and can be tried again. Waiting jobs continue after a restart.
+// PrepareQueue: queue of dropped folders and NIfTI files to convert to cases. Each is scanned and its
+// recommended series prepared, one at a time, in the background and at low priority. A failed job stays in
+// the list with one line of explanation and can be retried. Waiting jobs continue after a restart.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -38,7 +38,7 @@ class PrepareQueue : public QObject {
   /// Cancels the running job; it starts again with the next program start.
   ~PrepareQueue() override;
 
-  /// Where cases are made. No job starts before this is set.
+  /// Sets the folder for new cases. No job starts before this is set.
   void setCasesFolder(const QString& folder);
   /// Returns the job's id. An input that waits or runs with the same series is not queued twice.
   int add(const QString& input, const std::optional<std::string>& series_uid = std::nullopt);
@@ -46,10 +46,10 @@ class PrepareQueue : public QObject {
   void retry(int id);
   /// Removes a job that is not running.
   void remove(int id);
-  /// Label new cases with the patient's name (remembered; off at first).
+  /// True if new cases are labelled with the patient's name (remembered; off at first).
   bool labelsByPatient() const;
   void setLabelsByPatient(bool is_labelled);
-  /// True: no job starts (a treatment runs); a running job continues.
+  /// Holds the queue during a treatment: no job starts; a running job continues.
   void setHeld(bool is_held);
   /// Queues the jobs that were unfinished when the program ended, and removes fetched files of jobs that no
   /// longer exist. Does nothing while another window of this user is open, since they may be that window's

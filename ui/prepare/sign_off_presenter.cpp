@@ -66,7 +66,7 @@ QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
   steps::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
                             model_.current().sign_off.has_draft};
-  if (!seen_.empty()) {  // the outlines are the first item
+  if (!seen_.empty()) {  // item 0 is the outlines
     claim.outlines_seen = seen_.front();
     claim.findings_seen.erase(claim.findings_seen.begin());
   }

@@ -10,7 +10,7 @@
 namespace facenav::ui {
 namespace {
 
-const char* const kIsFilled = "is_filled";  // property of an editor that has got its text
+const char* const kIsFilled = "is_filled";  // property of an editor whose text is set
 
 QColor colourOf(Mark mark) {
   if (mark == Mark::done) return colourOf(Level::good);

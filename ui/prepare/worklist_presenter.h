@@ -30,7 +30,7 @@ struct WorklistRow {
   int findings = -1;  // -1: unknown
   QString checked_by;
   QString detail;          // first finding; step and time; or failure
-  double fraction = -1.0;  // of the running step; < 0: none
+  double fraction = -1.0;  // of the running step; < 0 if none runs
 };
 
 /// "now", "12 min", "3 h", "2 days", "5 weeks".
@@ -44,7 +44,7 @@ class WorklistPresenter : public QObject {
   ~WorklistPresenter() override;
 
   QString folder() const { return folder_; }
-  /// Remembered; created if it does not exist.
+  /// Sets the folder and remembers it; created if it does not exist.
   void setFolder(const QString& folder);
   /// The remembered folder, else ~/FaceNav/cases.
   static QString rememberedFolder();

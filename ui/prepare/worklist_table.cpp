@@ -5,7 +5,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr qlonglong kBeforeAll_s = 1000000000000;  // thirty thousand years
+constexpr qlonglong kBeforeAll_s = 1000000000000;  // sorts before all cases
 
 QVariant textOf(const WorklistRow& row, int column) {
   switch (column) {
@@ -79,7 +79,7 @@ void WorklistTable::removeMissing(const std::vector<WorklistRow>& fresh) {
   }
 }
 
-/// Inserts the missing rows of `fresh`. `rows_` must hold some of them, in the same order.
+/// Inserts the missing rows of `fresh`. `rows_` must be a subset of `fresh` in the same order.
 void WorklistTable::insertNew(const std::vector<WorklistRow>& fresh) {
   for (int line = 0; line < int(fresh.size()); ++line) {
     const auto& row = fresh[std::size_t(line)];

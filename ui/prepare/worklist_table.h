@@ -35,7 +35,7 @@ class WorklistTable : public QAbstractTableModel {
   std::vector<WorklistRow> rows_;
 };
 
-/// Sorted by kSortRole; filtered by words that must all occur in a row.
+/// Filters by words that must all occur in a row; sorts by kSortRole.
 class WorklistFilter : public QSortFilterProxyModel {
   Q_OBJECT
 

@@ -9,7 +9,7 @@ namespace facenav::ui {
 
 enum class ChartPaper { dark, white };
 
-/// From the painter's origin, one chart unit per painter unit; the background stays as it is.
+/// Paints the chart at the painter's origin, one chart unit per painter unit; the background is not filled.
 void paintChart(QPainter& painter, const report::Chart& chart, ChartPaper paper);
 
 }  // namespace facenav::ui

@@ -28,7 +28,7 @@ QString namesOf(const std::vector<std::string>& names) {
   return list.join(", ");
 }
 
-/// One line of the table per figure, so that long names and doubled text stay readable.
+/// Rows of the table, one per figure, so that long names and doubled text stay readable.
 std::vector<std::pair<QString, QString>> rowsOf(const steps::TargetReturn& back) {
   std::vector<std::pair<QString, QString>> rows{
       {QObject::tr("Return error: coil's centre"), number(back.distance_mm, 2) + " mm"},
@@ -115,7 +115,8 @@ void ComparePage::showComparison() {
       is_first = false;
     }
   }
-  for (int column = 0; column < 2; ++column) table_->resizeColumnToContents(column);  // no name is cut
+  for (int column = 0; column < 2; ++column)
+    table_->resizeColumnToContents(column);  // so that no name is cut
   QStringList words{tr(
       "Mean pose of the coil over the pulses that are not excluded, in the MRI; \u00b1: root mean square.")};
   if (comparison->targets.empty()) words << tr("No target has pulses in both sessions.");

@@ -1,6 +1,5 @@
 #pragma once
-// ComparePage: the chosen session against another one: how far the coil came back to where it was, target by
-// target.
+// ComparePage: compares the chosen session with another one: the coil's return error, target by target.
 
 #include <QWidget>
 

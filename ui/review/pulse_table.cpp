@@ -66,7 +66,7 @@ QVariant PulseTable::text(const casefile::ReviewedPulse& reviewed, int column) c
   return QString::fromStdString(reviewed.is_excluded ? reviewed.note : pulse.reason);
 }
 
-/// What is not known comes last when sorted upwards.
+/// Value to sort by; unknown values come last in ascending order.
 QVariant PulseTable::sortKey(const casefile::ReviewedPulse& reviewed, int column) const {
   if (column == kNumber) return reviewed.pulse.number;
   if (!isValue(column)) return text(reviewed, column).toString().toLower();

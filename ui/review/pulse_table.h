@@ -1,5 +1,5 @@
 #pragma once
-// PulseTable: the pulses of a session as a table that Qt's views sort. The MEP can be typed.
+// PulseTable: the pulses of a session as a table that Qt's views sort. The MEP can be edited.
 
 #include <QAbstractTableModel>
 

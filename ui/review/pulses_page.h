@@ -38,13 +38,13 @@ class PulsesPage : public QWidget {
   ReviewPresenter& presenter_;
   CaseModel& model_;
   SceneView* scene_;
-  std::unique_ptr<scene::PulseLayer> layer_;  // before scene_ goes
+  std::unique_ptr<scene::PulseLayer> layer_;  // destroyed before scene_
   QComboBox* column_;
   QCheckBox *heat_, *skin_;
   ColourLegend* legend_;
   QLabel* map_words_;
   ChartView *histogram_, *drift_;
-  QString placed_for_;  // session for which the view was turned to its target
+  QString placed_for_;  // session for which the camera was turned to the target
   bool is_outdated_ = true;
 };
 

@@ -17,7 +17,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLeap = 50;  // frames, with Shift
+constexpr int kLeap = 50;  // frames per step with Shift
 
 QImage grey(const cv::Mat& image) { return toQImage(image.data, image.cols, image.rows, int(image.step)); }
 
@@ -137,7 +137,7 @@ void ReplayPage::showTrack() {
   showMoment();
 }
 
-/// As it was then: a target may be moved during a session, and keep its name.
+/// Shows the target as it was then: a target may be moved during a session and keep its name.
 void ReplayPage::showTarget(const std::optional<guidance::Target>& target) {
   const bool is_same = target.has_value() == target_.has_value() &&
                        (!target || (target->name == target_->name && target->mri_T_target.isometry().isApprox(
@@ -163,7 +163,7 @@ void ReplayPage::showMoment() {
   const auto& track = presenter_.track();
   const auto head = track.is_in_mri ? moment.camera_T_mri() : std::nullopt;
   const auto coil = track.is_coil ? moment.camera_T_coil() : std::nullopt;
-  const Lost lost{LostReason::stale};  // the words over the scene give the reason of the file
+  const Lost lost{LostReason::stale};  // the words over the scene give the reason from the file
   scene.setHeadPose(head ? Tracked<RigidTransform<Camera, Mri>>(*head, 1.0) : lost);
   scene.setCoilPose(coil ? Tracked<RigidTransform<Camera, Coil>>(*coil, 1.0) : lost);
   scene.setOnTarget(track.word(moment.state) == "on_target");
@@ -172,7 +172,7 @@ void ReplayPage::showMoment() {
   if (presenter_.picture() && presenter_.picture()->number != moment.frame) showPicture();
 }
 
-/// A picture of another moment is not shown: it would not belong to the figures beside it.
+/// Shows the picture only if it is of the same moment as the figures.
 void ReplayPage::showPicture() {
   const auto frame = presenter_.isOpen() ? presenter_.picture() : nullptr;
   const bool is_of_moment = frame && (frame->number == presenter_.moment().frame || presenter_.isPlaying());

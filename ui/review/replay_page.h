@@ -1,7 +1,7 @@
 #pragma once
-// ReplayPage: a session played back: the scene with the coil as it was, both camera pictures, figures of
-// guidance.csv; play, pause, step, and a band to scrub. Where head or coil is lost, the scene is grey, the
-// coil and the figures are gone, and words say why.
+// ReplayPage: plays a session back: the scene with the coil as it was, both camera pictures, figures of
+// guidance.csv; play, pause, step, and a band to scrub. If head or coil is lost, the scene is grey, the coil
+// and the figures are removed, and words give the reason.
 
 #include <QWidget>
 
@@ -40,7 +40,7 @@ class ReplayPage : public QWidget {
   ImageView *left_, *right_;
   QLabel *figures_, *time_;
   QPushButton *back_, *play_, *forward_, *pictures_, *overlay_;
-  std::optional<guidance::Target> target_;  // that is drawn
+  std::optional<guidance::Target> target_;  // the drawn target
   bool is_outdated_ = true;
 };
 

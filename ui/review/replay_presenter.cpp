@@ -75,7 +75,7 @@ void ReplayPresenter::openFolder(const QString& folder) {
 void ReplayPresenter::read(const QString& folder) {
   folder_ = folder;
   problem_ = tr("reading the poses");
-  if (reader_.isRunning()) return;  // this one follows
+  if (reader_.isRunning()) return;  // it is read after the current one
   being_read_ = folder;
   reader_.start(problem_, [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
     auto replay = std::make_shared<const steps::SessionReplay>(steps::openReplay(folder.toStdString()));
@@ -95,7 +95,7 @@ void ReplayPresenter::read(const QString& folder) {
   emit opened();
 }
 
-/// The frame whose pictures were kept with the pulse; else the one before the pulse.
+/// Goes to the frame whose pictures were saved with the pulse, else to the frame before the pulse.
 void ReplayPresenter::goToMarked() {
   const auto session = folder_ == session_folder_ ? review_.session() : nullptr;
   if (!isOpen() || !session || review_.marked() == 0) return;
@@ -148,7 +148,7 @@ void ReplayPresenter::pause() {
   if (isOpen()) emit moved();
 }
 
-/// As fast as it was; what cannot be drawn in time is left out.
+/// Advances in real time; frames that cannot be drawn in time are skipped.
 void ReplayPresenter::advance() {
   const double t_s = started_t_s_ + 1e-3 * double(played_.elapsed());
   goTo(int(track().at(t_s)));
@@ -201,7 +201,7 @@ QString ReplayPresenter::figures() const {
          "\n" + tr("predicted error %1 mm").arg(number(g.predicted_error_mm, 1));
 }
 
-/// Of the moment, as its files have them. Poses that are not placed in the MRI, or not the coil's, are none.
+/// Poses of the moment from the session's files. Omits poses not placed in the MRI and poses of another coil.
 pictures::StoredPoses ReplayPresenter::poses() const {
   pictures::StoredPoses poses;
   if (track().is_in_mri) poses.camera_T_mri = moment().camera_T_mri();
@@ -211,7 +211,7 @@ pictures::StoredPoses ReplayPresenter::poses() const {
   return poses;
 }
 
-/// One frame is read at a time; the newest wish is read next.
+/// Reads one frame at a time; the newest request is read next.
 void ReplayPresenter::readPicture() {
   if (!pictures_ || !model_.isOpen() || picture_reader_.isRunning()) return;
   const auto wanted = moment().frame;

@@ -1,6 +1,6 @@
 #pragma once
 // ReplayPresenter: one session frame by frame: play, pause, step, scrub. Poses and guidance come from its
-// files, and pictures from its recording where that is still there. A lost moment is lost: no older pose is
+// files, and pictures from its recording if that still exists. A lost moment stays lost: no older pose is
 // shown.
 
 #include <QElapsedTimer>
@@ -29,7 +29,7 @@ class ReplayPresenter : public QObject {
   /// another session is chosen.
   void openFolder(const QString& folder);
   bool isOpen() const { return replay_ != nullptr; }
-  /// Why nothing can be replayed, or what is being done; empty if a track is open.
+  /// Why nothing can be replayed, or the current task; empty if a track is open.
   QString problem() const { return problem_; }
   const casefile::SessionTrack& track() const { return replay_->track; }
   int index() const { return index_; }
@@ -40,33 +40,33 @@ class ReplayPresenter : public QObject {
   void pause();
   bool isPlaying() const { return timer_.isActive(); }
 
-  /// The target that the moment was guided to, as it was at the nearest pulse; else as it is in the plan.
+  /// The target guided to at the moment, as it was at the nearest pulse; else as it is in the plan.
   std::optional<guidance::Target> target() const;
   /// "00:01:23.450 of 00:05:00.000, frame 5000".
   QString timeWords() const;
   /// "face lost: no_face"; empty if both have poses.
   QString lossWords() const;
-  /// State and values of guidance.csv, one a line; empty where it has none.
+  /// State and values of guidance.csv, one a line; empty if it has none.
   QString figures() const;
-  /// Of the index of each pulse's moment and whether it was on target.
+  /// Mark of a pulse: index of its moment, and whether it was on target.
   struct PulseTick {
     int index = 0;
     bool is_on_target = false;
   };
   const std::vector<PulseTick>& pulses() const { return pulses_; }
 
-  /// Frames of the recording at the moment; null: none, and picturesWords() says why.
+  /// Frame of the recording at the moment; null if there is none: picturesWords() gives the reason.
   std::shared_ptr<const cameras::StereoFrame> picture() const { return picture_; }
-  /// The same frame with the poses of its files drawn in: scalp, coil, target. Null with picture().
+  /// picture() with the poses of its files drawn over it: scalp, coil, target. Null if picture() is null.
   std::shared_ptr<const pictures::CameraOverlay> overlay() const { return overlay_; }
   QString picturesWords() const { return pictures_words_; }
-  /// Another recording folder. refused() says why its pictures are not those of the session.
+  /// Chooses another recording folder. Refused, with the reason, if its pictures are not the session's.
   void choosePictures(const QString& folder);
 
  signals:
-  /// Another track, or none.
+  /// Another track was opened, or the track was closed.
   void opened();
-  /// Another moment, or playing began or ended.
+  /// The moment changed, or playing started or ended.
   void moved();
   void pictureChanged();
   void refused(const QString& words);
@@ -87,7 +87,7 @@ class ReplayPresenter : public QObject {
   std::shared_ptr<const steps::SessionReplay> replay_;
   std::shared_ptr<capture::RecordingPictures> pictures_;  // used by one task at a time
   std::shared_ptr<const cameras::StereoFrame> picture_;
-  std::shared_ptr<const pictures::CameraOverlay> overlay_;  // of picture_
+  std::shared_ptr<const pictures::CameraOverlay> overlay_;  // drawn over picture_
   std::vector<PulseTick> pulses_;
   QString problem_, pictures_words_, folder_, session_folder_, being_read_;
   QTimer timer_;

@@ -51,7 +51,7 @@ void ReviewPresenter::refresh() {
   goOn();
 }
 
-/// One thing is read at a time; what became outdated meanwhile is read after it.
+/// Reads one thing at a time; then reads again what became outdated meanwhile.
 void ReviewPresenter::goOn() {
   if (reader_.isRunning() || !model_.isOpen()) return;
   if (std::exchange(is_list_outdated_, false)) return readList();
@@ -81,7 +81,7 @@ void ReviewPresenter::readSession() {
     const auto& pulses = read->kept.pulses.pulses;
     read->brain = brain;
     if (brain) {
-      // Where the coil was never changes; only pulses that are new have to be looked for.
+      // The coil's place at a pulse never changes; only new pulses are placed.
       const bool is_known = old && old->brain == brain && old->places.size() == pulses.size();
       read->places = is_known ? old->places : report::placesOn(brain->mesh, pulses);
       read->map = report::mepMapOf(brain->mesh, pulses, read->places);
@@ -141,7 +141,7 @@ void ReviewPresenter::attempt(Change change) {
     change();
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
-    emit sessionChanged();  // a field that was typed into shows what holds
+    emit sessionChanged();  // an edited field shows the valid value again
     return;
   }
   refresh();

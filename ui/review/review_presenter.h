@@ -21,8 +21,9 @@ namespace facenav::ui {
 struct ReviewedSession {
   casefile::KeptSession kept;
   std::shared_ptr<const surface::BrainModel> brain;  // may be null
-  std::vector<std::optional<Point<Mri>>> places;     // of the pulses on it; empty without one
-  std::optional<guidance::MepMap> map;               // on it
+  std::vector<std::optional<Point<Mri>>> places;     // places of the pulses on the brain; empty without a
+                                                     // brain
+  std::optional<guidance::MepMap> map;               // map on the brain
 };
 
 class ReviewPresenter : public QObject {
@@ -33,12 +34,12 @@ class ReviewPresenter : public QObject {
 
   /// Reads the list of sessions and the chosen one again.
   void refresh();
-  /// Oldest first.
+  /// The sessions, oldest first.
   const std::vector<report::SessionSummary>& sessions() const { return sessions_; }
   /// Chooses a session by its name; its pulses follow with sessionChanged().
   void choose(const QString& name);
   QString chosen() const { return chosen_; }
-  /// Null until it is read, or without one.
+  /// The chosen session; null until it is read, or if none is chosen.
   std::shared_ptr<const ReviewedSession> session() const { return session_; }
   std::filesystem::path folderOf(const QString& name) const;
   bool isReading() const { return reader_.isRunning(); }
@@ -48,18 +49,18 @@ class ReviewPresenter : public QObject {
   /// Number of the pulse that is marked in all views; 0: none.
   int marked() const { return marked_; }
   void mark(int number);
-  /// The pulse whose place on the brain (or coil's centre) is nearest to a click, no further than 6 mm.
+  /// Marks the pulse whose place on the brain (or coil centre) is nearest to a click, within 6 mm.
   void markNear(const Point<Mri>& point, bool is_brain);
 
-  // Changes; refused() says why one could not be made.
+  // Changes of the session; refused() gives the reason if one fails.
   void exclude(const std::vector<int>& numbers, const QString& reason, const QString& by);
   void include(const std::vector<int>& numbers, const QString& by);
-  /// Empty: not known.
+  /// Sets the MEP of a pulse from typed text; empty: not known.
   void typeMep(int number, const QString& typed);
-  /// `offset_s`: of the clocks; nothing: it is sought. said() tells what was found.
+  /// Imports MEPs. `offset_s`: offset of the clocks; estimated if empty. said() reports the result.
   void importMeps(const QString& csv, std::optional<double> offset_s);
-  /// A file that a session at home sent back becomes a session of the case, and is chosen. said() tells what
-  /// was added.
+  /// Adds a file that a session at home sent back as a session of the case, and chooses it. said() reports
+  /// what was added.
   void addReturned(const QString& file);
   void undo();
   void redo();
@@ -67,12 +68,12 @@ class ReviewPresenter : public QObject {
 
   /// Writes report.html, report.pdf and pulses.csv into the session's folder, on this thread (it draws).
   void makeReport(bool has_name);
-  /// The chosen session against another one; nothing if that cannot be read (refused() says why).
+  /// Compares the chosen session with another one. Returns nothing, after refused(), if that cannot be read.
   std::optional<steps::SessionComparison> compareWith(const QString& earlier);
 
  signals:
   void sessionsChanged();
-  /// Another session, or its numbers.
+  /// Another session was chosen, or its numbers changed.
   void sessionChanged();
   void columnChanged();
   void markedChanged();

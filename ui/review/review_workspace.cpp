@@ -95,7 +95,7 @@ void ReviewWorkspace::setPage(ReviewPage page) {
   pages_->setCurrentIndex(int(page));
 }
 
-/// The offset is asked for only if the user knows it; an empty field lets it be found.
+/// Asks for the offset only if the user knows it; an empty field lets it be estimated.
 void ReviewWorkspace::chooseMeps() {
   const QString file = QFileDialog::getOpenFileName(this, tr("MEPs by time"), {}, tr("CSV (*.csv)"));
   if (file.isEmpty()) return;

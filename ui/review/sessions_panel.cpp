@@ -162,7 +162,7 @@ void SessionsPanel::showSessions() {
   const auto& sessions = presenter_.sessions();
   sessions_->setRowCount(int(sessions.size()));
   for (int row = 0; row < int(sessions.size()); ++row) {
-    const auto& s = sessions[sessions.size() - 1 - std::size_t(row)];  // the newest first
+    const auto& s = sessions[sessions.size() - 1 - std::size_t(row)];  // newest first
     const int counted = s.pulses - s.excluded;
     const QStringList texts{
         (s.is_at_home ? tr("%1 home") : QString("%1"))
@@ -185,7 +185,7 @@ void SessionsPanel::showSessions() {
   showState();
 }
 
-/// The list follows the presenter, which chooses the newest session by itself.
+/// Shows the presenter's choice; the presenter chooses the newest session by itself.
 void SessionsPanel::showChosen() {
   is_filling_ = true;
   for (int row = 0; row < sessions_->rowCount(); ++row)

@@ -1,6 +1,6 @@
 #pragma once
 // SessionsPanel: the sessions of the case with their quality at a glance, and the pulses of the chosen one as
-// a table that can be sorted; pulses are excluded with a reason or taken in again.
+// a table that can be sorted; pulses are excluded with a reason, or included again.
 
 #include <QWidget>
 

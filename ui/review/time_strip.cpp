@@ -28,7 +28,7 @@ TimeStrip::TimeStrip(ReplayPresenter& presenter, QWidget* parent) : QWidget(pare
   connect(&presenter_, &ReplayPresenter::moved, this, [this] { update(); });
 }
 
-/// Each column shows the state that holds for most of its frames.
+/// Draws the band; each column has the state of most of its frames.
 void TimeStrip::drawBand() {
   band_ = QPixmap(size());
   band_.fill(palette().color(QPalette::Base));

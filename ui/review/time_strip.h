@@ -1,6 +1,7 @@
 #pragma once
 // TimeStrip: a session as a band: on target (tall, blue), adjust (half as tall, orange), lost (a thin grey
-// line), with the pulses as ticks below it and the present moment as a line. A click or drag goes there.
+// line), with the pulses as ticks below it and the present moment as a line. A click or drag moves to that
+// moment.
 
 #include <QPixmap>
 #include <QWidget>

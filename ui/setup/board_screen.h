@@ -1,6 +1,6 @@
 #pragma once
-// BoardScreen: the calibration board on a whole screen (a second screen or a tablet that mirrors it). Its
-// square is measured with a ruler and typed in. Escape or a click closes it.
+// BoardScreen: shows the calibration board on a whole screen (a second screen or a tablet that mirrors it).
+// The user measures its square with a ruler and types the size. Escape or a click closes it.
 
 #include <QImage>
 #include <QWidget>
@@ -14,7 +14,7 @@ class BoardScreen : public QWidget {
 
  public:
   explicit BoardScreen(const cameras::Board& board, QWidget* parent = nullptr);
-  /// On the last screen: the second one, where there is one.
+  /// Opens on the last screen, which is the second one if there are two.
   void showOnScreen();
 
  protected:

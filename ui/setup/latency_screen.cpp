@@ -28,7 +28,7 @@ void LatencyScreen::look() {
   if (isVisible() && Timestamp::now().s >= meter_.nextChange_s()) flash();
 }
 
-/// repaint() returns when the picture was handed to the screen.
+/// Flashes; repaint() returns when the picture was passed to the screen.
 void LatencyScreen::flash() {
   is_lit_ = meter_.isLitNext();
   repaint();

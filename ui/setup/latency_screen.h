@@ -19,7 +19,7 @@ class LatencyScreen : public QWidget {
   /// `latest`: the newest pair of running cameras, or null. Its left picture is used.
   explicit LatencyScreen(std::function<std::shared_ptr<const cameras::StereoFrame>()> latest,
                          QWidget* parent = nullptr, int changes = 60);
-  /// Empty while it measures.
+  /// The result in words; empty while it measures.
   QString words() const { return words_; }
 
  protected:

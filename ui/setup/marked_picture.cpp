@@ -10,7 +10,7 @@ namespace {
 const QColor kGood(82, 200, 120), kMark(255, 196, 60);
 constexpr int kCells = 3;
 
-/// Covered parts get a tick and a thin frame, so that state is not in colour alone.
+/// Marks covered parts with a tick and a thin frame, so that the state is not in colour alone.
 void drawCoverage(QPainter& painter, const QSize& size, const std::vector<bool>& cells) {
   const int w = size.width() / kCells, h = size.height() / kCells;
   for (int i = 0; i < kCells * kCells; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// One camera's picture with what the set-up saw in it: face box, corners of the board, coil marker, and the
-// parts of the picture that the views of the board cover.
+// One camera's picture with what the set-up detected in it: face box, corners of the board, coil marker, and
+// the parts of the picture that the views of the board cover.
 
 #include <QImage>
 
@@ -8,7 +8,7 @@
 
 namespace facenav::ui {
 
-/// Null where the view has no picture.
+/// Draws the picture; null if the view has none.
 QImage markedPicture(const steps::SetupView& view, bool is_left);
 
 }  // namespace facenav::ui

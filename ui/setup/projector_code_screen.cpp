@@ -36,7 +36,7 @@ void ProjectorCodeScreen::look() {
   }
   run_.wait(Timestamp::now().s);
   if (run_.progress() == before) return;
-  repaint();  // returns when the picture was handed to the screen
+  repaint();  // returns when the picture was passed to the screen
   if (run_.isShowing()) return run_.shown(Timestamp::now().s);
   timer_.stop();
   emit sceneTaken();

@@ -1,6 +1,6 @@
 #pragma once
-// ProjectorCodeScreen: the window on the projector while it is calibrated: its code, picture by picture, as
-// the live cameras see it; then what was found, in words. Space begins a scene, Escape ends.
+// ProjectorCodeScreen: the window on the projector while it is calibrated. It shows the code, picture by
+// picture, then the result in words. Space begins a scene, Escape ends.
 
 #include <QTimer>
 #include <QWidget>
@@ -16,14 +16,14 @@ class ProjectorCodeScreen : public QWidget {
 
  public:
   using Latest = std::function<std::shared_ptr<const cameras::StereoFrame>()>;
-  /// `latest`: the newest pair of the running cameras, or null. `size`: of the projector's picture.
+  /// `latest`: the newest pair of the running cameras, or null. `size`: size of the projector's picture.
   ProjectorCodeScreen(const cameras::StereoRig& rig, const QSize& size, Latest latest,
                       QWidget* parent = nullptr);
   void startScene();
   const steps::ProjectorRun& run() const { return run_; }
 
  signals:
-  /// After a scene: what was found.
+  /// A scene was recorded; gives its result.
   void sceneTaken();
 
  protected:

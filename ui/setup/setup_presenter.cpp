@@ -85,7 +85,7 @@ void SetupPresenter::choose(const QString& left, const QString& right) {
 void SetupPresenter::swapSides() {
   std::swap(left_, right_);
   if (isOpen() && opened_rig_.isEmpty())
-    open();  // what was taken with the sides exchanged is worth nothing
+    open();  // pictures taken with exchanged sides are invalid
   else
     emit changed();
 }
@@ -103,7 +103,7 @@ void SetupPresenter::open() {
   tasks_.start(tr("Opening the cameras: they adjust to the light"),
                [this, left = left_.toStdString(), right = right_.toStdString(), size,
                 old = std::exchange(setup_, nullptr)](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 old.reset();  // first: a camera can be opened only once
+                 old.reset();  // first, because a camera can be opened only once
                  auto pair = std::make_shared<NewCameras>(
                      services_.openNewCameras(left, right, size.width(), size.height()));
                  return [this, pair] {

@@ -22,10 +22,10 @@ class SetupPresenter : public QObject {
   SetupPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
   ~SetupPresenter() override;
 
-  // Which cameras.
+  // Choice of the cameras.
   void lookForCameras();
   const std::vector<capture::FoundCamera>& devices() const { return devices_; }
-  /// What to know or do about them; empty: nothing.
+  /// Notes on the connected cameras, or what to do; empty if there are none.
   QString deviceWords() const;
   QString left() const { return left_; }
   QString right() const { return right_; }
@@ -44,11 +44,11 @@ class SetupPresenter : public QObject {
   // The steps.
   steps::SetupStep step() const { return step_; }
   void go(steps::SetupStep step);
-  /// False: something before it is missing.
+  /// Returns false if an earlier step is not complete.
   bool canGo(steps::SetupStep step) const;
-  /// What the newest pair shows; a view without a picture before the first.
+  /// What the newest pair shows; without pictures before the first pair.
   std::shared_ptr<const steps::SetupView> view() const;
-  /// One sentence: of the running step, or what must come first.
+  /// Sentence of the running step, or what must come first.
   QString sentence() const;
 
   // Calibrate.
@@ -56,19 +56,19 @@ class SetupPresenter : public QObject {
   void setBoard(int columns, int rows, double square_mm);
   void finishViews();
   void takeMoreViews();
-  /// All anew: also the two-minute repair of a bar that was bumped.
+  /// Discards all views and starts again, also for the two-minute repair of a bar that was bumped.
   void repeatViews();
-  /// "+-0.42 mm at 600 mm"; empty: not calibrated.
+  /// "+-0.42 mm at 600 mm"; empty if not calibrated.
   QString resultWords() const;
   bool printBoard(const QString& file);
 
   // Keep.
   QString name() const { return name_; }
   void setName(const QString& name) { name_ = name; }
-  /// Only a calibration whose check holds is kept. `replaces`: a rig of this name is replaced.
+  /// Saves the calibration if its check passes. `replaces`: a rig of this name is replaced.
   bool keep(bool replaces);
   bool isKept() const { return is_kept_; }
-  /// Stores the check of a kept rig that was opened, once it is there. Call it now and then.
+  /// Stores the check of an opened kept rig as soon as it is available. Call it regularly.
   void noteCheckOfKept();
   bool isNameTaken() const;
 
@@ -80,9 +80,9 @@ class SetupPresenter : public QObject {
   void startJig(const QString& file);
   /// Measures the cameras' rolling shutter on the waved coil.
   void startWave();
-  /// Keeps with the pair what the waved coil showed, once it is there. Call it now and then.
+  /// Stores the row times measured on the waved coil as soon as they are available. Call it regularly.
   void keepRowTimes();
-  /// The calibrated coil into the library, under the chosen name.
+  /// Adds the calibrated coil to the library under the chosen name.
   bool keepCoil();
 
   /// Closes the cameras.
@@ -107,8 +107,8 @@ class SetupPresenter : public QObject {
   std::vector<coil_library::LibraryCoil> coils_;
   std::shared_ptr<steps::RigSetup> setup_;
   steps::SetupStep step_ = steps::SetupStep::place;
-  QString opened_rig_;  // a kept one, as it was kept; empty: none, or it is being repaired
-  std::string noted_;   // words of the check that was stored
+  QString opened_rig_;  // name of the opened kept rig; empty if none is open, or if it is being repaired
+  std::string noted_;   // words of the stored check
   bool is_kept_ = false;
   std::optional<std::array<double, 2>> kept_row_times_s_;
   AsynchronousShutdown retirement_;

@@ -20,7 +20,7 @@ namespace {
 
 using Step = steps::SetupStep;
 
-/// Its width follows the layout, not the longest name.
+/// Makes a box whose width follows the layout, not the longest name.
 QComboBox* narrowBox(QWidget* parent, const QString& tip) {
   auto* box = new QComboBox(parent);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -212,7 +212,8 @@ void SetupTools::refresh() {
   const auto view = presenter_.view();
   open_->setEnabled(presenter_.canOpen());
   open_->setText(presenter_.isOpen() ? tr("Open them again") : tr("Open the cameras"));
-  device_words_->setText(presenter_.isOpen() ? presenter_.deviceWords() : QString());  // else the sentence
+  device_words_->setText(presenter_.isOpen() ? presenter_.deviceWords()
+                                             : QString());  // otherwise the sentence shows it
   device_words_->setVisible(!device_words_->text().isEmpty());
   const bool is_calibrated = presenter_.canGo(Step::check);
   if (view->step == Step::calibrate) {

@@ -1,6 +1,6 @@
 #pragma once
-// SetupTools: what can be chosen or done in a step of the set-up, beside its pictures: the cameras (1), the
-// board (2), the rig's name (3), the coil (4).
+// SetupTools: the choices and buttons of a set-up step, beside its pictures: the cameras (1), the board (2),
+// the rig's name (3), the coil (4).
 
 #include <QStackedWidget>
 
@@ -21,7 +21,7 @@ class SetupTools : public QStackedWidget {
 
  public:
   explicit SetupTools(SetupPresenter& presenter, QWidget* parent = nullptr);
-  /// Shows the step that is on, and what can be done now.
+  /// Shows the current step and what can be done now.
   void refresh();
 
  private:

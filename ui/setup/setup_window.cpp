@@ -184,7 +184,7 @@ void SetupWindow::refresh() {
   back_->setEnabled(presenter_.step() != Step::place);
   const bool is_last = presenter_.step() == Step::coil;
   next_->setText(is_last ? tr("Close") : tr("Go on"));
-  // A face may be missing while the cameras are placed: the nurse sits before them herself, or nobody does.
+  // A face may be missing while the cameras are placed: the nurse may sit there alone, or nobody does.
   next_->setEnabled(is_last || (presenter_.step() == Step::place && presenter_.isOpen()) ||
                     (is_done && presenter_.canGo(Step(int(presenter_.step()) + 1)) &&
                      (presenter_.step() != Step::check || presenter_.isKept())));

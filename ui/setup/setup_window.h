@@ -1,6 +1,6 @@
 #pragma once
-// SetupWindow: `facenav-gui --set-up`: two cameras are placed, calibrated and checked, and the coil's marker,
-// in four steps. Each has both live pictures, one sentence and few buttons. Return goes on.
+// SetupWindow: `facenav-gui --set-up`: places, calibrates and checks two cameras, and the coil's marker, in
+// four steps. Each has both live pictures, one sentence and few buttons. Return continues.
 
 #include <QTimer>
 #include <QWidget>
@@ -26,11 +26,11 @@ class SetupWindow : public QWidget {
   ~SetupWindow() override;
 
   SetupPresenter& presenter() { return presenter_; }
-  /// A kept pair, as soon as the search for cameras has ended.
+  /// Opens a kept pair as soon as the search for cameras has ended.
   void openKept(const QString& rig);
 
  signals:
-  /// A pair was kept under this name.
+  /// A pair was saved under this name.
   void kept(const QString& name);
 
  protected:
@@ -57,8 +57,8 @@ class SetupWindow : public QWidget {
   SetupTools* tools_;
   QPushButton *back_, *next_;
   QTimer timer_;
-  QString to_open_;  // a kept pair
-  QString trouble_;  // the last refusal; empty: none
+  QString to_open_;  // name of a kept pair
+  QString trouble_;  // last refusal; empty if there was none
   std::shared_ptr<const steps::SetupView> shown_;
 };
 

@@ -8,10 +8,10 @@ namespace facenav::ui {
 
 /// Call before making the QApplication.
 void prepareSurfaceFormat();
-/// `text_scale`: factor for the size of all text.
+/// Sets palette, style sheet and the size of all text. `text_scale`: factor of the text size.
 void applyAppearance(QApplication& application, double text_scale = 1.0);
 double textScale();
-/// Scales a length that holds text: from pixels at normal text size and 96 dpi to pixels here.
+/// Scales a length that contains text: from pixels at normal text size and 96 dpi to pixels here.
 int sized(int usual_px);
 
 }  // namespace facenav::ui

@@ -1,7 +1,7 @@
 #pragma once
 // AsynchronousShutdown: ends cameras and sessions on threads of their own. A camera that hangs ends late or
-// never, and the window must not wait for it. A good one ends within one frame, and may be opened again right
-// after.
+// never, and the window must not wait for it. A working camera ends within one frame and can be opened again
+// right after.
 
 #include <chrono>
 #include <functional>

@@ -18,15 +18,15 @@ struct LoadedCase {
   QString id, label;  // label: empty if there is none
   std::shared_ptr<const volume::Volume> mri;
   std::shared_ptr<const volume::Mask> head_mask, brain_mask;  // brain may be null
-  // Correction of the brain that is not saved, in its current state.
+  // The unsaved correction of the brain, in its current state.
   std::shared_ptr<const volume::Mask> draft;
   std::shared_ptr<const surface::ScalpSurface> scalp;
   std::shared_ptr<const surface::BrainModel> brain;  // may be null
   std::vector<std::string> findings;
   guidance::TreatmentPlan plan;
   std::optional<atlas::AtlasMap> atlas;             // absent: no MNI coordinates
-  casefile::CaseCoil coil;                          // that targets are planned for
-  std::map<std::string, std::string> shown_sha256;  // of the files that a sign-off covers, as loaded
+  casefile::CaseCoil coil;                          // the coil that targets are planned for
+  std::map<std::string, std::string> shown_sha256;  // hashes at loading of the files that a sign-off covers
   casefile::SignOffStatus sign_off;
 
   /// The mask to judge: the unsaved correction, else the mask in force. May be null.
@@ -37,7 +37,7 @@ struct Override {
   QString by, reason;
 };
 
-/// On a worker thread. Throws Error.
+/// Loads a case; call it on a worker thread. Throws Error.
 std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMonitor& monitor);
 
 /// "20 Nov" from 20101120T134501Z, in local time; with the year if it is not the current one.
@@ -58,17 +58,18 @@ class CaseModel : public QObject {
   void open(std::shared_ptr<LoadedCase> loaded);
   /// Stores the plan in the case. Throws Error if it cannot be written, and keeps the old plan.
   void setPlan(const guidance::TreatmentPlan& plan);
-  /// Stores a copy of the coil's file in the case, and plans for it. Throws Error, and keeps the old coil.
+  /// Stores a copy of the coil's file in the case and uses it for the plan. Throws Error, and keeps the old
+  /// coil.
   void setCoil(const std::filesystem::path& coil_json);
-  /// The label is already stored.
+  /// Shows a label that is already stored.
   void setLabel(const QString& label);
   void setSignOff(const casefile::SignOffStatus& status);
-  /// A corrected brain, already stored. `shown`: current hashes of the case's files.
+  /// Sets a corrected brain that is already stored. `shown`: current hashes of the case's files.
   void setBrain(std::shared_ptr<const volume::Mask> mask, std::shared_ptr<const surface::BrainModel> brain,
                 const std::map<std::string, std::string>& shown, const casefile::SignOffStatus& status);
-  /// A correction of the brain that is not saved, or null. While there is one, no sign-off is valid.
+  /// Sets the unsaved correction of the brain, or null. While there is one, no sign-off is valid.
   void setDraft(std::shared_ptr<const volume::Mask> draft);
-  /// Valid until the case is opened again. Already recorded in the case.
+  /// Sets an override that is already recorded in the case. Valid until the case is opened again.
   void setOverride(const Override& given);
   const std::optional<Override>& override() const { return override_; }
   /// True with a valid sign-off or an override.

@@ -13,7 +13,7 @@ class ColourLegend : public QWidget {
 
  public:
   explicit ColourLegend(QWidget* parent = nullptr);
-  /// Without a range: `words` alone.
+  /// Sets the scale; without a range only `words` are shown.
   void set(const QString& words, const QString& unit, int decimals, std::optional<scene::ColourRange> range);
   /// "error 0.2 to 4.1 mm".
   QString words() const;

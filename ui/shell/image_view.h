@@ -10,7 +10,7 @@
 namespace facenav::ui {
 
 QImage toQImage(const RgbImage& image);
-/// 8-bit grey, `stride` bytes a row; copied.
+/// Copies an 8-bit grey image, `stride` bytes a row.
 QImage toQImage(const unsigned char* grey, int width_px, int height_px, int stride);
 
 class ImageView : public QWidget {
@@ -18,9 +18,9 @@ class ImageView : public QWidget {
 
  public:
   explicit ImageView(const QString& when_empty, QWidget* parent = nullptr);
-  /// `why_empty` is shown if there is no image; empty: the words of the constructor.
+  /// Shows an image. `why_empty` is shown if there is none; empty: the words of the constructor.
   void set(const QImage& image, const QString& why_empty = {});
-  /// What is written in place of an image; empty: there is one.
+  /// Text in place of an image; empty if there is one.
   QString words() const {
     return !image_.isNull() ? QString() : why_empty_.isEmpty() ? when_empty_ : why_empty_;
   }
@@ -34,7 +34,7 @@ class ImageView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  /// Where the image is drawn.
+  /// Rectangle in which the image is drawn.
   QRect place() const;
 
   QImage image_;

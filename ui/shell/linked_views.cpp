@@ -120,7 +120,7 @@ void LinkedViews::setBrain(const surface::BrainModel& brain) {
   scene_view_->refresh();
 }
 
-/// It takes the place of the last slice view.
+/// Makes the model view, which replaces the last slice view.
 void LinkedViews::makeModelView() {
   model_box_ = new QWidget(this);
   auto* column = new QVBoxLayout(model_box_);

@@ -31,12 +31,12 @@ class LinkedViews : public QWidget {
   /// Shows the phi-theta model beside the 3-D view, from the same viewpoint, both without skin. Null: hides
   /// it.
   void showModelBeside(const LoadedCase* loaded);
-  /// Shown below the 3-D view. Takes ownership.
+  /// Sets the widget below the 3-D view. Takes ownership.
   void setSceneFooter(QWidget* footer);
   /// Adds the slices along the coil's axis, in a column of their own.
   void addCoilSlices();
   void setOverlays(const std::vector<scene::Overlay>& overlays);
-  /// The coil that they follow; nothing: none, for the reason `words`.
+  /// Sets the coil of those slices; without one `words` give the reason.
   void setCoil(const std::optional<scene::SlicedCoil>& coil, const QString& words);
   void setCoilSlicesShown(bool are_shown);
   void setTool(SliceTool* tool);

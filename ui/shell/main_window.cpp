@@ -123,14 +123,14 @@ void MainWindow::connectPrepare() {
   });
 }
 
-/// After connectWords(): what is shown comes first, what is remembered and restored after it.
+/// Connects the steps. Must follow connectWords(): signals that show come before those that restore.
 void MainWindow::connectSteps(TreatWorkspace& treat_workspace) {
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
   connect(prepare_workspace_, &PrepareWorkspace::stepChanged, this, &MainWindow::remember);
   connect(&model_, &CaseModel::opened, this, [this] {
     const auto step = step_to_restore_ ? step_to_restore_ : step_on_open_;
-    step_to_restore_.reset();  // first: setStep() remembers the new step
+    step_to_restore_.reset();  // first, because setStep() remembers the new step
     if (step) prepare_workspace_->setStep(*step);
     if (to_override_) treat_.overrideSignOff(to_override_->by, to_override_->reason);
     to_override_.reset();
@@ -212,7 +212,7 @@ void MainWindow::play(const QString& recording) {
   goOnPlaying();
 }
 
-/// Case opened -> recording opened -> aligned and started. Called when each of these steps ends.
+/// Goes from case opened to recording opened to aligned and started. Called when each of these steps ends.
 void MainWindow::goOnPlaying() {
   if (to_play_.isEmpty() || tasks_.isRunning()) return;
   if (!treat_.hasRecording()) {
@@ -248,7 +248,8 @@ void MainWindow::restoreLast() {
   setWorkspace(workspace);
 }
 
-/// Case opened -> recording opened -> its target chosen. No alignment is restored, since the head has moved.
+/// Goes from case opened to recording opened to target chosen. No alignment is restored, since the head has
+/// moved.
 void MainWindow::goOnRestoring() {
   if (tasks_.isRunning() || !model_.isOpen()) return;
   const QString recording = std::exchange(recording_to_restore_, {});
@@ -262,7 +263,7 @@ void MainWindow::goOnRestoring() {
         tr("guidance was running when the window went: Treat offers to go on with that session"));
 }
 
-/// Called at every change, because a crash gives no warning.
+/// Saves the state; called at every change, because a crash gives no warning.
 void MainWindow::remember() {
   if (!is_remembering_) return;
   QSettings settings;
@@ -300,7 +301,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (const QString path = url.toLocalFile(); !path.isEmpty()) take(path);
 }
 
-/// Opens a case, hands a recording to Treat, and queues anything else to become a case.
+/// Opens a case, passes a recording to Treat, and queues anything else to become a case.
 void MainWindow::take(const QString& path) {
   if (QFileInfo::exists(path + "/case.json")) return openCase(path);
   if (QFileInfo::exists(path + "/stereo.yml")) {

@@ -43,7 +43,7 @@ class MainWindow : public QMainWindow {
   PrepareStep prepareStep() const;
   const CortexPresenter& cortex() const { return cortex_; }
   const TreatPresenter& treat() const { return treat_; }
-  /// Opens the window that sets up a camera pair; `rig`: a kept one is checked. Live pictures stop meanwhile.
+  /// Opens the window that sets up a camera pair; `rig`: a kept pair to check. Live pictures stop meanwhile.
   void setUpCameras(const QString& rig = {});
   /// The folder that the worklist shows and that new cases go to.
   void setCasesFolder(const QString& folder);
@@ -55,9 +55,9 @@ class MainWindow : public QMainWindow {
   void openCaseAt(const QString& folder, PrepareStep step);
   /// Opens a recording when the case is open, then aligns and starts guidance.
   void play(const QString& recording);
-  /// Opens what was open last time (QSettings), also after a crash. Says so if guidance was running then.
+  /// Opens what was open last time (QSettings), also after a crash. Reports if guidance was running then.
   void restoreLast();
-  /// True when no task runs and what play() started has begun or failed.
+  /// True if no task runs and what play() started has begun or failed.
   bool isSettled() const;
   const TaskRunner& tasks() const { return tasks_; }
   PrepareQueue& queue() { return queue_; }

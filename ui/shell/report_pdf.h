@@ -8,7 +8,7 @@
 
 namespace facenav::ui {
 
-/// The whole file or nothing, 0600. Throws Error when it cannot be written.
+/// Writes the whole file or nothing, mode 0600. Throws Error if it cannot be written.
 void writeReportPdf(const report::SessionReport& report, const std::filesystem::path& path);
 
 }  // namespace facenav::ui

@@ -15,7 +15,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kFluid_ms = 40.0;  // faster rendering needs no simplified scene
+constexpr double kFluid_ms = 40.0;  // no simplified scene is needed up to this rendering time
 constexpr int kRest_ms = 300;
 
 }  // namespace

@@ -22,15 +22,15 @@ class SceneView : public QVTKOpenGLNativeWidget {
   ~SceneView() override;
 
   scene::NavigationScene& scene() { return *scene_; }
-  /// Patient, targets and slices of a case.
+  /// Shows patient, targets and slices of a case.
   void show(const LoadedCase& loaded);
   void refresh();
   /// Draws again during a motion: a simplified scene if full rendering is slow here, and the full one when
   /// the motion ends.
   void refreshMoving() { refreshQuickly(true); }
-  /// The same without the skin, while a slider moves.
+  /// Draws again without the skin while a slider moves.
   void refreshPeeling() { refreshQuickly(false); }
-  /// Both views share one camera; each follows when the other is turned.
+  /// Shares one camera between both views; each follows when the other is turned.
   void shareCamera(SceneView& other);
   /// True: the left button draws a closed line instead of turning the view (scalpel).
   void setDrawing(bool is_drawing);
@@ -41,7 +41,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   /// turned: the user moved the camera. drawn: the view was rendered.
   void turned();
   void drawn();
-  /// Closed line of three corners or more; x right, y up, each -1..1, as in projection().
+  /// The user drew a closed line of at least three corners; x right, y up, each -1..1, as in projection().
   void outlineDrawn(const std::vector<Eigen::Vector2d>& outline);
   void picked(double x_mm, double y_mm, double z_mm, bool is_brain);
 
@@ -58,7 +58,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool drawsQuickly(bool is_skin_shown);
   void refreshQuickly(bool is_skin_shown);
 
-  QWidget* line_;  // lies over the image
+  QWidget* line_;  // drawn over the image
   QPolygon outline_;
   bool draws_ = false;
   QPoint pressed_at_;

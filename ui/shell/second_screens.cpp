@@ -17,7 +17,7 @@ SecondScreens::SecondScreens(ProjectorPresenter& projector, QWidget& page)
   });
 }
 
-/// Another screen than the page's, not in use by a window of ours; one of the wanted size first.
+/// Returns a screen that none of our windows uses, preferably one of the wanted size.
 QScreen* SecondScreens::freeScreen(const QSize& wanted) const {
   const QWindow* main = page_.window()->windowHandle();
   QScreen* found = nullptr;

@@ -1,6 +1,6 @@
 #pragma once
 // SecondScreens: the windows beside the main one during treatment: guidance alone on the patient's side, and
-// the projector's picture. Each opens whole on another screen where there is one, else as a window.
+// the projector's picture. Each fills another screen if there is one, else it is a window.
 
 #include <QObject>
 #include <QPointer>
@@ -27,7 +27,7 @@ class SecondScreens : public QObject {
   void showProjector(bool is_shown);
   bool showsProjector() const;
   bool areShown() const { return showsGuidance() || showsProjector(); }
-  /// Each newest state.
+  /// Shows each new state.
   void follow(std::shared_ptr<const session::NavigationState> state, const ReadOut& read_out);
 
   GuidanceScreen* guidance() const { return guidance_; }

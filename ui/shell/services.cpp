@@ -11,7 +11,7 @@
 namespace facenav::ui {
 namespace {
 
-/// The cameras go on where it cannot be kept.
+/// Stores the start check; the cameras continue if it cannot be stored.
 void keepStart(const std::string& rig, const steps::RigStart& found) {
   try {
     steps::keepRigStart(capture::RigStore(), rig, found);

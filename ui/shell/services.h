@@ -1,6 +1,6 @@
 #pragma once
 // Services: the steps that the window runs on worker threads, bound to the modules that the command line
-// calls too. The program hands in the methods (methods/registrations.h); a test replaces single functions.
+// calls too. The program provides the methods (methods/registrations.h); a test replaces single functions.
 // They throw Error.
 
 #include <QString>
@@ -34,7 +34,7 @@ struct PrepareOrder {
   bool is_labelled_by_patient = false;
 };
 
-/// Two cameras that are used for the first time, locked at what suits the light.
+/// Two cameras that are used for the first time, locked at settings that suit the light.
 struct NewCameras {
   std::unique_ptr<capture::FrameSource> source;
   capture::RigCamera left, right;
@@ -61,12 +61,12 @@ struct Services {
       fetchFromArchive;
   /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
-  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: whose marker the
-  /// pictures may show; null: as the case says. Stores the result in the case.
+  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: the coil whose
+  /// marker the pictures may show; null: the case's. Stores the result in the case.
   std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
                                         const coil_tracking::CoilModel* coil, TaskMonitor&)>
       align;
-  /// What a person judges the alignment by. Empty: nothing is shown.
+  /// Makes what a person judges the alignment by. Empty: nothing is shown.
   std::function<steps::AlignmentSeen(const casefile::CaseStore&, const steps::AlignmentOutcome&)>
       seeAlignment;
   /// Connected cameras. Search::quick is fast; Search::everywhere waits for the network.
@@ -77,20 +77,20 @@ struct Services {
       openCameras;
   /// The rigs kept under a name (`facenav rig new`); fast.
   std::function<std::vector<capture::RigEntry>()> listRigs;
-  /// The cameras of such a rig, with their locked settings. What is found is kept with the rig.
+  /// Opens the cameras of such a rig with their locked settings. What is found is stored with the rig.
   std::function<std::unique_ptr<capture::FrameSource>(const capture::NamedRig&, const RigVerifying&)> openRig;
-  /// Two cameras by stable names, without a calibration, in this size. Takes some seconds.
+  /// Opens two cameras by stable names, without a calibration, in this size. Takes some seconds.
   std::function<NewCameras(const std::string& left, const std::string& right, int width_px, int height_px)>
       openNewCameras;
   std::function<void(const capture::NamedRig&, Existing)> keepRig;
-  /// The result of a kept rig's check, into the store.
+  /// Stores the result of a kept rig's check.
   std::function<void(const std::string& name, const capture::RigCheckNote&)> noteRig;
-  /// What a session learnt about a kept rig, into the store; from any thread.
+  /// Stores what a session learnt about a kept rig; callable from any thread.
   std::function<void(const std::string& name, const steps::CamerasLearnt&)> keepLearnt;
-  /// What the set-up of a camera pair judges pictures with.
+  /// Makes the methods by which the set-up judges pictures.
   std::function<steps::SetupMethods()> makeSetupMethods;
   std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)> makeNavigator;
-  /// The labelled atlas. Throws Error if it is not installed.
+  /// Reads the labelled atlas. Throws Error if it is not installed.
   std::function<atlas::BrainTemplate()> readTemplate;
 };
 

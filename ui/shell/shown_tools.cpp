@@ -49,7 +49,7 @@ void ShownTools::addMenu(const QString& words, const QString& tip, Chooser* pane
   row_->addWidget(button);
 }
 
-/// A button that stays down.
+/// Adds a button that stays down.
 QPushButton* ShownTools::addSwitch(const QString& words, const QString& tip, const char* setting,
                                    bool is_on_at_first) {
   auto* button = new QPushButton(words, this);

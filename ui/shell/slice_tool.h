@@ -1,5 +1,5 @@
 #pragma once
-// SliceTool: what the left button does on a slice in place of moving the crosshair: a stroke from press to
+// SliceTool: action of the left button on a slice in place of moving the crosshair: a stroke from press to
 // release, in pixels of the shown plane.
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace facenav::ui {
 class SliceTool {
  public:
   virtual ~SliceTool() = default;
-  /// False: the view works as without a tool.
+  /// Returns false if the view works as without a tool.
   virtual bool isActive() const = 0;
   /// `is_inverse`: Shift is held (remove, not add).
   virtual void press(const volume::SlicePlane& plane, const Eigen::Vector2d& at_px, bool is_inverse) = 0;
@@ -22,7 +22,7 @@ class SliceTool {
   virtual double cursorRadius_mm() const = 0;
   /// Unfinished line of a lasso, pixels of the plane; empty: none.
   virtual const std::vector<Eigen::Vector2d>& outline() const = 0;
-  /// Wheel with Ctrl: larger (+1) or smaller (-1).
+  /// Makes the tool larger (+1) or smaller (-1); Ctrl + wheel.
   virtual void resize(int steps) = 0;
 };
 

@@ -21,7 +21,7 @@ class SliceView : public QWidget {
 
  public:
   SliceView(volume::Anatomical orientation, QWidget* parent = nullptr);
-  /// Shared by the linked views; null: empty.
+  /// Sets the scene, which the linked views share; null: empty.
   void setScene(std::shared_ptr<scene::SliceScene> scene);
   /// Draws again after the scene's content changed.
   void refresh();
@@ -30,7 +30,7 @@ class SliceView : public QWidget {
   /// "axial  88/176", "S 12.3 mm" and "value 512": number and position of the slice, and the MRI's value at
   /// the crosshair. Empty without a scene.
   QStringList caption() const;
-  /// While the tool is active, the left button draws. The tool must outlive the view. Null: none.
+  /// Sets a tool, which must outlive the view; null: none. While it is active, the left button draws.
   void setTool(SliceTool* tool);
 
  signals:

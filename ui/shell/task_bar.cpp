@@ -15,7 +15,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kReadable_ms = 4000;  // a message during a task
+constexpr int kReadable_ms = 4000;  // time to show a message during a task
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void TaskBar::showMessage(const QString& words, bool is_failure) {
 void TaskBar::showNotice(const QString& words) { say(words, true); }
 
 void TaskBar::say(const QString& words, bool is_caution) {
-  setBusy(tasks_.isRunning());  // which can still be cancelled
+  setBusy(tasks_.isRunning());  // the task can still be cancelled
   is_caution ? said_.start() : said_.invalidate();
   words_->setProperty("level", is_caution ? "caution" : "none");
   words_->style()->unpolish(words_);

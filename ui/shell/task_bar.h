@@ -30,7 +30,7 @@ class TaskBar : public QFrame {
   ElidedLabel* words_;
   QProgressBar* bar_;
   QPushButton* cancel_;
-  QElapsedTimer elapsed_, said_;  // said_: since the last message
+  QElapsedTimer elapsed_, said_;  // said_: time since the last message
   QString title_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace facenav::ui {
 
-/// To the right: wider. Down: a higher level.
+/// Changes the window by a drag: right widens it, down raises the level.
 inline void dragWindow(scene::SliceScene& scene, const QPoint& step_px) {
   const double range = std::max(1e-3, scene.white - scene.black);
   const double width = range * (1.0 + 0.005 * step_px.x());

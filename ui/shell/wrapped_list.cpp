@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kAbove_px = 2;  // above and below the text
 
-/// Qt's size hint ignores the width of the tick box and the padding, so the last line would be cut.
+/// Adds tick box and padding to the size; Qt's hint ignores them, so the last line would be cut.
 class WholeSentence : public QStyledItemDelegate {
  public:
   explicit WholeSentence(const QAbstractItemView& view) : view_(view) {}

@@ -9,12 +9,12 @@
 namespace facenav::ui {
 
 struct AlignedHead {
-  std::shared_ptr<const steps::AlignmentOutcome> outcome;  // null: not aligned
+  std::shared_ptr<const steps::AlignmentOutcome> outcome;  // null if not aligned
   steps::AlignmentSeen seen;                               // null members: nothing to show
   std::shared_ptr<const pictures::CameraOverlay> picture;  // null: none
 };
 
-/// On a worker thread. Throws Error when the head cannot be aligned.
+/// Aligns the head; call it on a worker thread. Throws Error if it cannot be aligned.
 AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
                       const capture::Recording& recording, const coil_tracking::CoilModel& coil,
                       TaskMonitor& monitor);

@@ -1,5 +1,5 @@
 #pragma once
-// What a box for the choice of a camera lists.
+// Fills a box for the choice of a camera.
 
 #include <QString>
 #include <vector>
@@ -10,9 +10,9 @@ class QComboBox;
 
 namespace facenav::ui {
 
-/// Lists the devices by their words; an item's data is the camera's stable name. `chosen`: the stable name of
-/// the one that is selected; empty: none. Without devices the box says so and cannot be used. The box sends
-/// no signals meanwhile.
+/// Lists the devices by their words; an item's data is the camera's stable name. `chosen`: stable name of the
+/// selected camera; empty if none. Without devices the box shows that and is disabled. The box sends no
+/// signals meanwhile.
 void listCameras(QComboBox& box, const std::vector<capture::FoundCamera>& devices, const QString& chosen);
 
 }  // namespace facenav::ui

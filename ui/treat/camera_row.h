@@ -1,7 +1,7 @@
 #pragma once
-// CameraRow: both cameras side by side, plain or with what tracking sees drawn over them. The drawn images
-// come late from another thread (pictures/overlay_worker.h). One that no longer fits the newest state is not
-// shown, and is removed if it is shown already.
+// CameraRow: both cameras side by side, plain or with what tracking detects drawn over them. The drawn images
+// arrive late from another thread (pictures/overlay_worker.h). One that does not match the newest state is
+// not shown, and is removed if it is shown already.
 
 #include <QWidget>
 #include <memory>
@@ -23,21 +23,21 @@ class CameraRow : public QWidget {
   void showPlain(const cameras::StereoFrame& frame);
   /// Shows drawn pictures that do not move, such as those of an alignment.
   void showStill(std::shared_ptr<const pictures::CameraOverlay> still);
-  /// From now on shows only images that fit `now` (not null).
+  /// Shows only images that match `now` (not null) from now on.
   void follow(std::shared_ptr<const session::NavigationState> now);
-  /// Shows a drawn image; ignored if it does not fit the newest state.
+  /// Shows a drawn image; ignored if it does not match the newest state.
   void showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn);
   /// The shown overlay; null: none.
   std::shared_ptr<const pictures::DrawnOverlay> shown() const { return shown_; }
 
  signals:
-  /// A click on a live picture: px of that picture, and the state that it shows.
+  /// The user clicked on a live picture: position in px, and the state that the picture shows.
   void picked(facenav::stereo::PictureSide side, const QPointF& px,
               std::shared_ptr<const facenav::session::NavigationState> state);
 
  private:
   void clear(const QString& why = {});
-  /// Why `drawn` is not shown, if that is its age; else empty.
+  /// Reason if `drawn` is too old to be shown; else empty.
   QString lateWords(const pictures::DrawnOverlay& drawn) const;
 
   ImageView *left_, *right_;

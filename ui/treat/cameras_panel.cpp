@@ -19,7 +19,7 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kRefresh_ms = 300;
-// The words above the button grow in the first two seconds, and would push it out of view again.
+// The words above the button grow in the first two seconds and would push it out of view.
 constexpr int kBrings = 2000 / kRefresh_ms;
 
 QLabel* label(const QString& text, const char* name, QWidget* parent) {
@@ -29,7 +29,7 @@ QLabel* label(const QString& text, const char* name, QWidget* parent) {
   return made;
 }
 
-/// The button that is to be pressed next stands out.
+/// Highlights the button to press next.
 void setPrimary(QPushButton& button, bool is_primary) {
   const QString name = is_primary ? QStringLiteral("primary") : QString();
   if (button.objectName() == name) return;
@@ -197,7 +197,7 @@ void CamerasPanel::showState() {
   setPrimary(*set_up_, is_withheld);
   setPrimary(*marked_, is_live);
   setPrimary(*open_, !is_withheld && !is_live);
-  if (is_live && !marked_->isEnabled()) brings_ = kBrings;  // the cameras have just come
+  if (is_live && !marked_->isEnabled()) brings_ = kBrings;  // the cameras were opened just now
   marked_->setEnabled(is_live);
   dots_->setEnabled(is_live);
   plain_->setEnabled(is_live && cameras_.hasDots());

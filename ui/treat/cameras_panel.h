@@ -39,7 +39,7 @@ class CamerasPanel : public QFrame {
   QLabel *rig_, *state_, *capture_words_, *coil_words_;
   QPushButton *open_, *set_up_, *latency_, *marked_, *dots_, *plain_;
   QTimer timer_;
-  int brings_ = 0;  // how often the button for the picture still comes into view
+  int brings_ = 0;  // how many more times the picture button is scrolled into view
   bool is_filling_ = false;
 };
 

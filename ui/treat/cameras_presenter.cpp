@@ -7,7 +7,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kFresh_s = 0.5;  // an older image does not show the present
+constexpr double kFresh_s = 0.5;  // an older image counts as outdated
 constexpr double kMarkedWithin_s = 60.0;
 
 }  // namespace
@@ -20,7 +20,7 @@ CamerasPresenter::CamerasPresenter(const Services& services, TaskRunner& tasks, 
 
 void CamerasPresenter::lookEverywhere() { isLive() ? chosen_.refreshDevices() : chosen_.lookEverywhere(); }
 
-/// What is found is read by the window's own thread.
+/// Makes the verification; the window's own thread reads its result.
 RigVerifying CamerasPresenter::verifying() const {
   RigVerifying verifying;
   if (coil_) verifying.coil = coil_();
@@ -89,10 +89,10 @@ void CamerasPresenter::open() {
   tasks_.start(tr("Opening the cameras"),
                [this, opens = opener(), chosen = chosenNow(),
                 old = release()](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 old.reset();  // first: a camera can be opened only once
+                 old.reset();  // first, because a camera can be opened only once
                  auto preview = std::make_shared<capture::LivePreview>(opens(), false);
                  return [this, preview, chosen] {
-                   opened_ = chosen;  // not what is chosen by now
+                   opened_ = chosen;  // not the present choice
                    preview_ = preview;
                    is_live_ = true;
                    emit opened();
@@ -189,7 +189,7 @@ void CamerasPresenter::takePlain() {
 
 void CamerasPresenter::takeMarked() {
   if (tasks_.isRunning()) return;
-  if (!takeFresh()) return;  // no live picture: that was said
+  if (!takeFresh()) return;  // takeFresh() has reported why
   stills_.clear();
   emit changed();
   tasks_.start(
@@ -201,7 +201,7 @@ void CamerasPresenter::takeMarked() {
         steps::AutomaticCapture still(rig, {methods.face_detector, methods.make_coil_tracker(), coil});
         steps::takeStillCapture(frames, still, kMarkedWithin_s, monitor);
         return [this, preview, taken = still.still()] {
-          if (preview != preview_) return;  // other cameras meanwhile
+          if (preview != preview_) return;  // other cameras were opened meanwhile
           stills_.take(taken);
           emit changed();
           emit captureTaken();

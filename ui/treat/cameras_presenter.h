@@ -20,7 +20,7 @@
 
 namespace facenav::ui {
 
-/// What two open cameras were opened with.
+/// Names of the cameras and the rig that were opened.
 struct OpenedCameras {
   cameras::StereoRig rig;
   QString rig_name, left, right;  // rig_name empty: chosen one by one
@@ -33,7 +33,7 @@ class CamerasPresenter : public QObject {
  public:
   CamerasPresenter(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  // What is chosen (presenters/chosen_cameras.h).
+  // Choice of cameras and calibration (chosen_cameras.h).
   void refreshDevices() { chosen_.refreshDevices(); }
   void lookEverywhere();
   const std::vector<capture::FoundCamera>& devices() const { return chosen_.devices(); }
@@ -52,28 +52,29 @@ class CamerasPresenter : public QObject {
   bool isRigGood() const { return rig().has_value(); }
 
   bool canOpen() const;
-  /// Whose marker verifies a kept rig when its cameras open; without it the default coil.
+  /// Sets the coil whose marker verifies a kept rig when its cameras open; without it the default coil.
   void useCoilOf(std::function<coil_tracking::CoilModel()> coil) { coil_ = std::move(coil); }
-  /// Why guidance and alignment with the live cameras are withheld: the rig that was kept has moved. Empty:
-  /// nothing is known.
+  /// Why guidance and alignment with the live cameras are withheld: the kept rig has moved. Empty if no fault
+  /// is known.
   QString rigFault() const;
-  /// Opens what is chosen now; for another thread.
+  /// Function that opens the present choice; for another thread.
   std::function<std::unique_ptr<capture::FrameSource>()> opener() const;
-  /// Keeps what a session learnt with the chosen rig; null: none is chosen, or it cannot be kept.
+  /// Function that stores what a session learnt with the chosen rig; null if none is chosen or it cannot be
+  /// stored.
   std::function<void(const steps::CamerasLearnt&)> keeper() const;
-  /// Opens both cameras; live images follow.
+  /// Opens both cameras and starts the live images.
   void open();
-  /// What the cameras were opened with last, whatever is chosen since; nothing: they were never opened.
+  /// The choice with which the cameras were opened last; empty if they were never opened.
   const std::optional<OpenedCameras>& lastOpened() const { return opened_; }
-  /// False: other cameras or another calibration are chosen now than were opened last.
+  /// Returns false if other cameras or another calibration are chosen than were opened last.
   bool isStillChosen() const;
-  /// What to do where that is so; empty: nothing.
+  /// What to do if isStillChosen() is false; empty otherwise.
   QString otherChoiceWords() const;
-  /// Reads the chosen kept rig again, with what a session or the set-up kept with it.
+  /// Reads the chosen kept rig again, with what a session or the set-up stored with it.
   void readAgain();
   /// Plays a recording as a preview.
   void show(const capture::Recording& recording);
-  /// The window for setting up a camera pair is wanted (setup/setup_window.h); `rig`: to check this one.
+  /// Asks for the window that sets up a camera pair (setup/setup_window.h), to check the chosen rig.
   void askForSetUp() { emit setUpWanted(rigName()); }
   /// Stops showing images and returns what must be released, or null. Release it off the GUI thread: a camera
   /// that gives no image blocks the thread that releases it.
@@ -91,25 +92,25 @@ class CamerasPresenter : public QObject {
   /// False if `words` asks the user to do something.
   bool isWell() const;
 
-  /// Keeps the newest live pair as the one with dots, or without. Refused if there is no fresh image.
+  /// Stores the newest live pair as the one with dots, or without. Refused if there is no fresh image.
   void takeDots();
   void takePlain();
-  /// Without a projector: the pair is taken by itself when both cameras see the face and, at rest beside it,
-  /// the coil's marker (align/automatic_capture.h). It can be cancelled as a task.
+  /// Takes the pair by automatic capture (align/automatic_capture.h), without a projector: when both cameras
+  /// see the face and, at rest beside it, the coil's marker. Can be cancelled as a task.
   void takeMarked();
   bool hasDots() const { return stills_.hasDots(); }
   /// Both pairs, if taken within 20 s of each other.
   std::optional<capture::CapturePair> capture() const { return stills_.capture(); }
   QString captureWords() const { return stills_.words(); }
-  /// The pictures show another patient.
+  /// Discards the pictures, because they show another patient.
   void forgetPictures();
 
  signals:
   void changed();
   /// Both cameras deliver images through openCameras.
   void opened();
-  /// They may stand, or be calibrated, differently when they are opened again. Not emitted where a session
-  /// takes the cameras over.
+  /// The cameras were closed; they may have another position or calibration when opened again. Not emitted if
+  /// a session takes them over.
   void closed();
   void captureTaken();
   void setUpWanted(const QString& rig);
@@ -120,7 +121,7 @@ class CamerasPresenter : public QObject {
   void forgetStart();
   OpenedCameras chosenNow() const;
   RigVerifying verifying() const;
-  /// What the verification of the kept rig found; empty: none is open.
+  /// Result of the kept rig's verification; empty if none is open.
   QString startWords() const;
   std::optional<cameras::StereoFrame> takeFresh();
 
@@ -132,7 +133,7 @@ class CamerasPresenter : public QObject {
   AsynchronousShutdown retirement_;
   bool is_live_ = false;
   std::function<coil_tracking::CoilModel()> coil_;
-  /// Of the cameras that were opened last; without a value: no answer yet.
+  /// Result for the cameras opened last; without a value while it is pending.
   std::shared_ptr<LatestValue<steps::RigStart>> start_ = std::make_shared<LatestValue<steps::RigStart>>();
   StillPictures stills_;
 };

@@ -5,7 +5,8 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kPatience_s = 10;  // beside the time of the check itself; a busy machine needs a part of it
+constexpr double kPatience_s = 10;  // added to the check's own time; even a busy machine needs only part of
+                                    // it
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// CheckRow: what is known of the registration, in one line, and the button that measures it again.
+// CheckRow: result of the last registration check in one line, and the button that checks again.
 
 #include <QWidget>
 

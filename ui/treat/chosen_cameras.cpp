@@ -46,7 +46,7 @@ bool ChosenCameras::isComplete() const {
 void ChosenCameras::refreshDevices() {
   std::vector<capture::FoundCamera> found;
   if (services_.listCameras) found = services_.listCameras(capture::Search::quick);
-  for (const auto& camera : devices_)  // these do not answer a quick search
+  for (const auto& camera : devices_)  // network cameras do not answer a quick search
     if (isOfNetwork(nameOf(camera))) found.push_back(camera);
   use(std::move(found), false);
 }
@@ -59,8 +59,7 @@ void ChosenCameras::lookEverywhere() {
   });
 }
 
-/// A chosen camera that is gone is no longer chosen, unless this search could not have found it, or a rig
-/// names it.
+/// Deselects a chosen camera that has vanished, unless this search could not find it or a rig names it.
 void ChosenCameras::use(std::vector<capture::FoundCamera> devices, bool has_network) {
   devices_ = std::move(devices);
   const auto kept = [&](const QString& name) {
@@ -121,7 +120,7 @@ QStringList ChosenCameras::rigNames() const {
   return names;
 }
 
-/// The chosen one, if it can be read and knows its cameras.
+/// Returns the chosen rig if it can be read and lists its cameras.
 std::optional<capture::NamedRig> ChosenCameras::named() const {
   for (const auto& entry : rigs_)
     if (!rig_name_.isEmpty() && entry.name == rig_name_.toStdString() && entry.rig && entry.rig->left)
@@ -146,7 +145,7 @@ void ChosenCameras::chooseRig(const QString& name) {
     choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
            QString::fromStdString(capture::stableName(at->rig->right->identity)));
   rig_name_ = name;
-  rig_ = at->rig->rig;  // with the row times that were measured
+  rig_ = at->rig->rig;  // with the measured row times
   QSettings().setValue(kRigName, name);
   emit changed();
 }
@@ -157,13 +156,13 @@ void ChosenCameras::readRig() {
   if (rig_file_.isEmpty()) return;
   try {
     rig_ = cameras::readRig(rig_file_.toStdString());
-    if (const auto kept = named()) rig_ = kept->rig;  // with the row times that were measured
+    if (const auto kept = named()) rig_ = kept->rig;  // with the measured row times
   } catch (const Error& error) {
     rig_problem_ = QString::fromUtf8(error.what());
   }
 }
 
-/// A check of an earlier day says nothing of a bar that was bumped since.
+/// Words of the last check; a check of an earlier day does not cover a bar that was bumped since.
 QString ChosenCameras::checkWords(const capture::NamedRig& rig) const {
   if (!rig.last_check) return tr("never checked since it was made: check it (Set up)");
   const QString words = tr("last check: %1").arg(QString::fromStdString(rig.last_check->words));
@@ -184,7 +183,7 @@ QString ChosenCameras::rigWords(bool is_open) const {
   if (rig_->rms_px) words += tr(", %1 px rms").arg(*rig_->rms_px, 0, 'f', 2);
   words +=
       tr(", of %1").arg(QLocale().toString(QFileInfo(rig_file_).lastModified().date(), QLocale::ShortFormat));
-  // While its cameras are open, what was found now says more.
+  // While the rig's cameras are open, their own verification is more recent.
   if (const auto kept = named(); kept && !is_open) words += "\n" + checkWords(*kept);
   return words;
 }

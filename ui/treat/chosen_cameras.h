@@ -20,12 +20,12 @@ class ChosenCameras : public QObject {
  public:
   ChosenCameras(const Services& services, TaskRunner& tasks, QObject* parent = nullptr);
 
-  /// Updates the list of connected cameras at once. Network cameras stay as they were found last.
+  /// Updates the list of connected cameras at once. Network cameras stay as last found.
   void refreshDevices();
-  /// The same with the network's cameras, in the background.
+  /// Also searches the network for cameras, in the background.
   void lookEverywhere();
   const std::vector<capture::FoundCamera>& devices() const { return devices_; }
-  /// What to know or do about the connected cameras; empty: nothing.
+  /// Notes on the connected cameras, or what to do; empty if there are none.
   QString deviceWords() const;
   /// Stable name of the chosen camera (capture/camera.h), empty: none.
   QString left() const { return left_; }
@@ -35,13 +35,13 @@ class ChosenCameras : public QObject {
 
   /// Names of the kept rigs.
   QStringList rigNames() const;
-  /// The chosen one; empty: cameras and calibration were chosen one by one.
+  /// Name of the chosen rig; empty if cameras and calibration were chosen one by one.
   QString rigName() const { return rig_name_; }
   /// Takes the rig's cameras, settings and calibration.
   void chooseRig(const QString& name);
-  /// The chosen rig, if it can be read and knows its cameras.
+  /// The chosen rig, if it can be read and lists its cameras.
   std::optional<capture::NamedRig> named() const;
-  /// The rig's stereo.yml.
+  /// Path of the rig's stereo.yml.
   QString rigFile() const { return rig_file_; }
   void setRigFile(const QString& path);
   const std::optional<cameras::StereoRig>& rig() const { return rig_; }
@@ -51,7 +51,7 @@ class ChosenCameras : public QObject {
   /// check of a kept rig whose cameras are not open.
   QString rigWords(bool is_open) const;
 
-  /// Two cameras and their calibration.
+  /// True if two cameras and their calibration are chosen.
   bool isComplete() const;
   /// What to do until the cameras can be opened: "no camera found: ..".
   QString words() const;

@@ -15,13 +15,14 @@ namespace {
 constexpr int kLeastWidth_px = 410;
 constexpr int kBanner_px = 104, kLowBanner_px = 76;  // two lines; longer words get smaller letters
 
-/// Points of the banner's two lines, the largest first.
+/// Letter sizes of the banner's two lines, pt, largest first.
 struct LetterSizes {
   double title_pt, advice_pt;
 };
 constexpr LetterSizes kLetters[] = {{30, 19}, {26, 17}, {22, 16}, {19, 15}, {16, 14}, {14, 12}};
 
-/// "FACE NOT SEEN: let .." on two lines: what is wrong, legible from two metres, and below it what to do.
+/// Splits "FACE NOT SEEN: let .." into two lines: the problem, legible from two metres, and below it what to
+/// do.
 QString twoLines(const ReadOut& read_out, const LetterSizes& letters) {
   const QString mark = read_out.level == Level::lost ? QStringLiteral("\u2715&nbsp;") : QString();
   const int colon = read_out.instruction.indexOf(": ");
@@ -36,7 +37,7 @@ QString twoLines(const ReadOut& read_out, const LetterSizes& letters) {
   return text;
 }
 
-/// The largest letters with which the words fit.
+/// Returns the words in the largest letters with which they fit.
 QString fitted(const ReadOut& read_out, const QFont& font, const QSize& room) {
   QString text;
   for (const auto& letters : kLetters) {
@@ -113,7 +114,7 @@ int FiguresPanel::neededHeight() {
   return needed_px_;
 }
 
-/// The banner keeps its height, whatever it says: the figures never move.
+/// Fits the words to the banner, which keeps its height so that the figures never move.
 void FiguresPanel::fitBanner() {
   constexpr int kAround_px = 2 * 6 + 2 * 5;  // padding and the widest border, as in the style sheet
   const QSize room = banner_->size() - QSize(kAround_px, kAround_px);

@@ -17,8 +17,8 @@ class FiguresPanel : public QFrame {
  public:
   explicit FiguresPanel(QWidget* parent = nullptr);
   void set(const ReadOut& read_out);
-  /// Small: all four figures in one row, for a low window where another panel needs the room. Low: a lower
-  /// banner, with smaller letters.
+  /// Sets the layout. Small: all four figures in one row, for a low window whose room another panel needs.
+  /// Low: a lower banner with smaller letters.
   void setSmall(bool is_small, bool is_low);
   /// Height that the figures need in two rows, px.
   int neededHeight();
@@ -40,7 +40,7 @@ class FiguresPanel : public QFrame {
   bool is_small_ = false, is_low_ = false;
   int needed_px_ = 0;
   ReadOut read_out_;
-  QString fitted_;  // what the banner's letters were fitted for
+  QString fitted_;  // inputs for which the banner's letters were fitted
   QLabel *predicted_, *gap_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// FollowedCoil: which coil the window follows: that of a recording, or one of the library. The choice from
-// the library is remembered, because with live cameras nothing else says which coil is held.
+// FollowedCoil: which coil the window follows: a recording's, or one of the library. The choice from the
+// library is remembered, because live cameras do not identify the coil.
 
 #include <QString>
 #include <QStringList>
@@ -15,27 +15,27 @@ namespace facenav::ui {
 class FollowedCoil {
  public:
   FollowedCoil();
-  /// The coil filmed in a recording.
+  /// Follows the coil filmed in a recording.
   void useFilm(const steps::TreatmentFilm& film);
-  /// Of live cameras: the remembered one.
+  /// Follows the remembered coil, for live cameras.
   void useRemembered();
-  /// The recording's own one, then those of the library.
+  /// Names to choose from: the recording's own coil, then the library.
   QStringList names() const;
   QString name() const { return QString::fromStdString(model_.name); }
-  /// `use` follows it in a running session; where it throws Error, nothing has changed. Throws Error, also
-  /// where there is no such coil.
+  /// Chooses a coil; `use` follows it in a running session. If `use` throws Error, nothing has changed.
+  /// Throws Error also if there is no such coil.
   void choose(const QString& name, const std::function<void(const coil_tracking::CoilModel&)>& use);
-  /// That `target` (may be null) was found with another coil, or that its field is not strongest under its
-  /// centre, its calibration old or not recorded; empty: nothing to say.
+  /// Reminds that `target` (may be null) was found with another coil, that the coil's field is not strongest
+  /// under its centre, or that its calibration is old or not recorded; empty if none applies.
   QString reminder(const guidance::Target* target) const;
-  /// What a treatment must log of it.
+  /// Adds what a treatment must log about the coil.
   void noteIn(steps::TreatmentRequest& request) const;
   const coil_tracking::CoilModel& model() const { return model_; }
 
  private:
   coil_tracking::CoilModel model_;
   coil_tracking::CoilCard card_;
-  std::optional<steps::TreatmentFilm> film_;  // whose coil may be chosen again
+  std::optional<steps::TreatmentFilm> film_;  // the recording whose coil can be chosen again
 };
 
 }  // namespace facenav::ui

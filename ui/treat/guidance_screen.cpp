@@ -13,7 +13,7 @@ namespace {
 
 const QColor kScreenGround(11, 13, 16), kScreenText(237, 241, 245), kScreenQuiet(158, 171, 184);
 
-/// One word for the step; lost: the loss's own title.
+/// One word for the step; if lost: the title of the loss.
 QString wordFor(guidance::Action action, const ReadOut& read_out) {
   if (read_out.level == Level::lost || read_out.level == Level::idle)
     return read_out.instruction.section(':', 0, 0);
@@ -33,7 +33,7 @@ QString wordFor(guidance::Action action, const ReadOut& read_out) {
   }
 }
 
-/// The figure that the step makes smaller.
+/// The figure that this step reduces.
 QString figureFor(guidance::Action action, const guidance::GuidanceValues& values) {
   const auto mm = [](double value) { return GuidanceScreen::tr("%1 mm").arg(std::abs(value), 0, 'f', 1); };
   const auto degrees = [](double rad) {
@@ -52,7 +52,7 @@ QString figureFor(guidance::Action action, const guidance::GuidanceValues& value
   }
 }
 
-/// The screen's right is the coil's -x, its up the coil's +y, as on the bull's eye.
+/// Angle on the screen: right is the coil's -x, up its +y, as on the bull's eye.
 double onScreen_rad(const Eigen::Vector2d& in_coil) { return std::atan2(in_coil.y(), -in_coil.x()); }
 
 QFont letters(const QWidget& widget, double height_px, int weight = QFont::Bold) {
@@ -62,7 +62,7 @@ QFont letters(const QWidget& widget, double height_px, int weight = QFont::Bold)
   return font;
 }
 
-/// As large as fits in one line, at most `height_px`.
+/// Largest font with which the words fit in one line, at most `height_px`.
 QFont lettersIn(const QWidget& widget, const QString& words, double height_px, double width_px) {
   QFont font = letters(widget, height_px);
   const double needed_px = QFontMetricsF(font).horizontalAdvance(words);
@@ -70,7 +70,7 @@ QFont lettersIn(const QWidget& widget, const QString& words, double height_px, d
   return font;
 }
 
-/// From the middle outwards along +x, of length 1.
+/// Arrow from the middle outwards along +x, of length 1.
 QPainterPath arrowPath() {
   QPainterPath path;
   path.moveTo(-0.75, -0.16);
@@ -91,7 +91,7 @@ void drawArrow(QPainter& painter, double angle_rad, const QColor& colour) {
   painter.restore();
 }
 
-/// The plate from the side on a curved head, and the way along its axis.
+/// Draws the plate from the side on a curved head, and the motion along its axis.
 void drawLift(QPainter& painter, bool is_up, const QColor& colour) {
   painter.setPen(QPen(kScreenQuiet, 0.07, Qt::SolidLine, Qt::RoundCap));
   painter.drawArc(QRectF(-1.1, 0.45, 2.2, 2.2), 30 * 16, 120 * 16);
@@ -102,10 +102,10 @@ void drawLift(QPainter& painter, bool is_up, const QColor& colour) {
   painter.restore();
 }
 
-/// The plate as it stands, the level that it must reach, and the way of its left end: the left wing, or (with
-/// a knob) the handle.
+/// Draws the tilted plate, the level to reach, and the motion of its left end: the left wing, or (with a
+/// knob) the handle.
 void drawTilt(QPainter& painter, bool is_left_up, bool is_handle, const QColor& colour) {
-  const double low = is_left_up ? 0.38 : -0.38;  // of the left end; y is down
+  const double low = is_left_up ? 0.38 : -0.38;  // height of the left end; y is down
   painter.setPen(QPen(kScreenQuiet, 0.06, Qt::DashLine));
   painter.drawLine(QPointF(-0.85, 0), QPointF(0.85, 0));
   painter.setPen(QPen(colour, 0.16, Qt::SolidLine, Qt::RoundCap));
@@ -121,7 +121,7 @@ void drawTilt(QPainter& painter, bool is_left_up, bool is_handle, const QColor& 
   painter.restore();
 }
 
-/// An open circle with a head: the way that the handle turns.
+/// Draws an open circle with an arrow head: the direction in which the handle turns.
 void drawTurn(QPainter& painter, bool is_clockwise, const QColor& colour) {
   painter.save();
   if (!is_clockwise) painter.scale(-1, 1);
@@ -165,7 +165,7 @@ void GuidanceScreen::set(const guidance::GuidanceState& guidance, const ReadOut&
     distance_ = tr("%1 mm away").arg(values->distance_mm, 0, 'f', 1);
     if (action_ == guidance::Action::move) arrow_rad_ = onScreen_rad(values->lateral_in_coil_mm);
     turn_rad_ = -values->twist_rad;
-    // Which end must go up, as the words of guidance/instruction.h say it.
+    // The end that must rise, as in guidance/instruction.h.
     const Eigen::Vector2d& tilt_rad = values->tilt_in_coil_rad;
     tilts_handle_ = std::abs(tilt_rad.x()) >= std::abs(tilt_rad.y());
     tilts_left_up_ = (tilts_handle_ ? tilt_rad.x() : tilt_rad.y()) > 0;
@@ -190,7 +190,7 @@ void GuidanceScreen::paintEvent(QPaintEvent*) {
   drawWords(painter, room);
 }
 
-/// In units of half the square, the middle at (0, 0), y down.
+/// Draws the glyph in units of half the square, the middle at (0, 0), y down.
 void GuidanceScreen::drawGlyph(QPainter& painter, const QRectF& square) const {
   const QColor colour = colourOf(read_out_.level);
   painter.save();
@@ -227,7 +227,7 @@ void GuidanceScreen::drawGlyph(QPainter& painter, const QRectF& square) const {
   painter.restore();
 }
 
-/// Word, figure, what to do, and how far it is.
+/// Draws word, figure, what to do, and the distance.
 void GuidanceScreen::drawWords(QPainter& painter, const QRectF& room) const {
   const double h = height(), least = kLeastLetters * h;
   double y = room.top();

@@ -1,8 +1,8 @@
 #pragma once
 // GuidanceScreen: guidance alone, for a second screen on the patient's side: one glyph (shape), one word, the
 // figure of the step to take, the distance, and what to do in words. Legible at three metres: the smallest
-// letters are 7 % of the window's height, which is 0.3 degrees on a screen of 24 inches. The arrow shows the
-// way as the bull's eye does: seen along the coil into the head, handle below.
+// letters are 7 % of the window's height, which is 0.3 degrees on a screen of 24 inches. The arrow points as
+// on the bull's eye: seen along the coil into the head, handle below.
 
 #include <QWidget>
 
@@ -18,13 +18,13 @@ class GuidanceScreen : public QWidget {
   explicit GuidanceScreen(QWidget* parent);
   void set(const guidance::GuidanceState& guidance, const ReadOut& read_out);
 
-  /// What is drawn, for tests and screen readers: "MOVE", "3.4 mm", "12.0 mm away".
+  /// The drawn texts, for tests and screen readers: "MOVE", "3.4 mm", "12.0 mm away".
   QString word() const { return word_; }
   QString figure() const { return figure_; }
   QString distance() const { return distance_; }
   /// Direction of the arrow on the screen, radians from right, counter-clockwise; nothing without an arrow.
   std::optional<double> arrow_rad() const { return arrow_rad_; }
-  static constexpr double kLeastLetters = 0.07;  // of the window's height
+  static constexpr double kLeastLetters = 0.07;  // share of the window's height
 
  signals:
   void closed();

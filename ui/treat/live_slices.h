@@ -1,6 +1,6 @@
 #pragma once
-// LiveSlices: the two slices along the live coil's axis, one above the other. They follow every new state;
-// when head or coil is lost or old they go, and words say why.
+// LiveSlices: the two slices along the live coil's axis, one above the other. They follow every new state; if
+// head or coil is lost or outdated they are removed, and words give the reason.
 
 #include <QWidget>
 #include <array>
@@ -17,10 +17,10 @@ class LiveSlices : public QWidget {
 
  public:
   explicit LiveSlices(QWidget* parent = nullptr);
-  /// MRI of a case, with the usual window.
+  /// Shows the MRI of a case with the usual window.
   void show(const LoadedCase& loaded);
-  /// `words`: shown in place of the slices unless head and coil are both tracked in `state`. `bound95_mm`: of
-  /// the error at the state's target; nothing: not known.
+  /// Follows a state. `words`: shown in place of the slices unless head and coil are both tracked in `state`.
+  /// `bound95_mm`: bound of the error at the state's target; empty if not known.
   void follow(const session::NavigationState& state, const QString& words,
               std::optional<double> bound95_mm = {});
   const std::array<CoilSliceView*, 2>& views() const { return views_; }

@@ -15,7 +15,7 @@
 namespace facenav::ui {
 namespace {
 
-/// A number with a decimal point or comma; nothing for other text.
+/// Reads a number with a decimal point or comma; returns nothing for other text.
 std::optional<double> numberIn(const QString& text) {
   bool is_number = false;
   const double value = QString(text.trimmed()).replace(',', '.').toDouble(&is_number);

@@ -12,13 +12,13 @@ MotorPresenter::MotorPresenter(TreatPresenter& treat, CaseModel& model, QObject*
     emit changed();
   });
   connect(&treat_, &TreatPresenter::changed, this, [this] {
-    const auto* target = treat_.target();  // another one was chosen: the hunt is over
+    const auto* target = treat_.target();  // another target was chosen, which ends the hunt
     if (isHunting() && (!target || target->name != sites_[site_].name)) sites_.clear();
     emit changed();
   });
 }
 
-/// One answer more for the search, if one runs.
+/// Adds one answer to the search, if one runs.
 template <class Keep>
 void MotorPresenter::take(Keep keep) {
   try {

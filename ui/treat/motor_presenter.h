@@ -16,28 +16,28 @@ class MotorPresenter : public QObject {
  public:
   MotorPresenter(TreatPresenter& treat, CaseModel& model, QObject* parent = nullptr);
 
-  /// The muscle's answer to the newest pulse: kept with the pulse, and counted by the search if one runs.
+  /// Stores the muscle's answer with the newest pulse; a running search uses it.
   void answer(bool has_response);
   void answerWithMep(double mep_uv);
 
-  /// Goes on with an unfinished search of the case, or begins one. The intensity becomes its next one.
+  /// Continues an unfinished search of the case, or begins one. The intensity becomes its next one.
   void search(stimulation::ThresholdMethod method, const QString& muscle);
   void endSearch();
-  /// The search's last answer.
+  /// Withdraws the search's last answer.
   void takeBack();
   bool isSearching() const { return search_ != nullptr; }
-  /// Null: none runs.
+  /// State of the search; null if none runs.
   const stimulation::ThresholdState* state() const { return search_ ? &search_->state() : nullptr; }
   /// "52.3 % (95 % interval ..), bayes, 9 responses of 18 pulses; set the output to 52 %", or what to do.
   QString thresholdWords() const;
 
-  /// Sites round the chosen target, its site first; guides to it.
+  /// Makes sites around the chosen target, its own site first, and guides to it.
   void hunt();
   void endHunt();
-  /// To the next site, or back by one.
+  /// Guides to the next site, or back by one.
   void nextSite(int step = 1);
   bool isHunting() const { return !sites_.empty(); }
-  /// "site 3 of 25: M1 hand L 2/3"; empty: no hunt.
+  /// "site 3 of 25: M1 hand L 2/3"; empty without a hunt.
   QString siteWords() const;
 
  signals:

@@ -1,7 +1,6 @@
 #pragma once
-// OverridePanel: shown over the Treat workspace while the case is not signed off. It says so, and takes the
-// name and reason of a person who treats nevertheless. Not modal. After an override it stays as one line that
-// says so.
+// OverridePanel: shown over the Treat workspace while the case is not signed off. It shows this, and takes
+// name and reason of a person who treats nevertheless. Not modal. After an override it stays as one line.
 
 #include <QFrame>
 

@@ -1,5 +1,5 @@
 #pragma once
-// PreviewFrames: the pictures of a live preview, which goes on, as a frame source for a task.
+// PreviewFrames: the pictures of a running live preview as a frame source for a task.
 
 #include <chrono>
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace facenav::ui {
 
-/// Each picture once; pictures that came while nobody asked are left out. Ends with a failure of the cameras.
+/// Returns each picture once; skips pictures that arrived between calls. Ends if the cameras fail.
 class PreviewFrames : public capture::FrameSource {
  public:
   PreviewFrames(const cameras::StereoRig& rig, std::shared_ptr<const capture::LivePreview> preview)
       : rig_(rig), preview_(std::move(preview)) {}
   const cameras::StereoRig& rig() const override { return rig_; }
   std::shared_ptr<const cameras::StereoFrame> next() override {
-    constexpr double kGone_s = 3.0;  // without a new picture
+    constexpr double kGone_s = 3.0;  // time without a new picture
     while (preview_->failure().empty() && !preview_->hasEnded() && preview_->age_s() < kGone_s) {
       const auto frame = preview_->latest();
       if (frame && (!last_ || frame->number != last_->number)) return last_ = frame;

@@ -11,7 +11,7 @@ namespace {
 
 const char* const kProjectorFile = "treat/projector";
 
-/// Used by the worker's thread alone; the guide takes a moment to make, so the first picture makes it.
+/// Draws the guide on the worker's thread. Making the guide takes a moment, so the first picture makes it.
 struct GuideDrawer {
   cameras::ProjectorModel projector;
   std::shared_ptr<const surface::ScalpSurface> scalp;
@@ -81,7 +81,7 @@ void ProjectorPresenter::begin() {
 }
 
 void ProjectorPresenter::ask(std::shared_ptr<const session::NavigationState> state) {
-  if (!worker_ || !state->camera_T_mri) return;  // the screen is black then
+  if (!worker_ || !state->camera_T_mri) return;  // the screen is then black
   const auto* target = treat_.target();
   worker_->ask({{}, std::move(state), target ? std::optional(*target) : std::nullopt, {}});
 }

@@ -1,6 +1,6 @@
 #pragma once
 // ProjectorPresenter: what the projector shows on the head during guidance (pictures/projected_guide.h).
-// Drawn on its own thread; a picture that no longer fits the newest state is not shown.
+// Drawn on its own thread; a picture that does not match the newest state is not shown.
 
 #include <QObject>
 #include <QSize>
@@ -19,9 +19,9 @@ class ProjectorPresenter : public QObject {
   ProjectorPresenter(TreatPresenter& treat, CaseModel& model, QObject* parent = nullptr);
   ~ProjectorPresenter() override;
 
-  /// Reads projector.yml; remembered. False: refused, with words.
+  /// Opens projector.yml and remembers it. Returns false, after refused(), if it cannot be read.
   bool open(const QString& file);
-  /// The file opened last, or projector.yml of the recording in use; empty: none is known.
+  /// The file opened last, or projector.yml of the recording in use; empty if none is known.
   QString knownFile() const;
   void close();
   bool isOpen() const { return projector_.has_value(); }
@@ -40,7 +40,7 @@ class ProjectorPresenter : public QObject {
   TreatPresenter& treat_;
   CaseModel& model_;
   std::optional<cameras::ProjectorModel> projector_;
-  std::unique_ptr<pictures::OverlayWorker> worker_;  // null: not open
+  std::unique_ptr<pictures::OverlayWorker> worker_;  // null if not open
 };
 
 }  // namespace facenav::ui

@@ -28,8 +28,8 @@ void ProjectorScreen::showDrawn(std::shared_ptr<const pictures::DrawnOverlay> pi
   update();
 }
 
-/// The calibration holds for the projector's whole picture, so it fills the window, pixel by pixel where the
-/// window has its size.
+/// Fills the window with the whole picture, for which the calibration is valid; pixel by pixel if the sizes
+/// match.
 void ProjectorScreen::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);

@@ -1,6 +1,5 @@
 #pragma once
-// ProjectorScreen: the window on the projector: its picture and nothing else, black where none fits the
-// newest state.
+// ProjectorScreen: the window on the projector: only its picture, black if none matches the newest state.
 
 #include <QImage>
 #include <QWidget>
@@ -15,9 +14,9 @@ class ProjectorScreen : public QWidget {
 
  public:
   explicit ProjectorScreen(QWidget* parent);
-  /// From now on shows only a picture that fits `now` (not null).
+  /// Shows only a picture that matches `now` (not null) from now on.
   void follow(std::shared_ptr<const session::NavigationState> now);
-  /// Ignored if it does not fit the newest state.
+  /// Shows a picture; ignored if it does not match the newest state.
   void showDrawn(std::shared_ptr<const pictures::DrawnOverlay> picture);
   bool isBlack() const { return image_.isNull(); }
 
@@ -32,7 +31,7 @@ class ProjectorScreen : public QWidget {
  private:
   std::shared_ptr<const session::NavigationState> now_;
   std::shared_ptr<const pictures::DrawnOverlay> shown_;
-  QImage image_;  // null: black
+  QImage image_;  // null if black
 };
 
 }  // namespace facenav::ui

@@ -44,7 +44,7 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
   last_pulse_->setObjectName("last_pulse");
   column->addLayout(row);
   column->addWidget(last_pulse_);
-  // Pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
+  // Uses pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
   // later.
   connect(pulse_, &QPushButton::pressed, this, &PulseRow::take);
 }
@@ -66,7 +66,7 @@ void PulseRow::refresh() {
   showLastPulse();
 }
 
-/// "pulses 12 of 3000: 10 on target, 1 outside, 1 lost"; only what there is.
+/// "pulses 12 of 3000: 10 on target, 1 outside, 1 lost"; omits zero counts.
 QString PulseRow::pulseWords() const {
   const auto counts = treat_.pulseCounts();
   QString words = tr("pulses %1").arg(treat_.pulses());
@@ -78,7 +78,7 @@ QString PulseRow::pulseWords() const {
   return words;
 }
 
-/// A pulse outside the tolerance is said at once, and stands until the next one.
+/// Reports a pulse outside the tolerance at once, until the next pulse.
 void PulseRow::showLastPulse() {
   const auto last = treat_.lastPulse();
   const int number = last ? last->number : 0;

@@ -1,6 +1,6 @@
 #pragma once
-// PulseRow: the pulses of the session by their verdict, its time, what was wrong with the last pulse, and the
-// button that counts one.
+// PulseRow: the pulses of the session by their verdict, its time, the fault of the last pulse, and the button
+// that counts one.
 
 #include <QWidget>
 
@@ -20,9 +20,9 @@ class PulseRow : public QWidget {
  public:
   PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent = nullptr);
 
-  /// A pulse now.
+  /// Counts a pulse now.
   void take();
-  /// Called about 30 times a second.
+  /// Refreshes the row; called about 30 times a second.
   void refresh();
 
  private:

@@ -8,7 +8,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kApart_ms = 3.0;  // shown from here on: 0.3 mm for a head that moves at 100 mm/s
+constexpr double kApart_ms = 3.0;  // time difference that is shown: 0.3 mm for a head that moves at 100 mm/s
 
 QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
 
@@ -20,7 +20,7 @@ Chip chip(const QString& name, const Tracked<T>& tracked, const std::string& los
           tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
 }
 
-/// One decimal below 100 mm, none above, so that the figure never needs more width.
+/// Formats with one decimal below 100 mm, none above, so that the figure never needs more width.
 QString millimetres(double value_mm) {
   return QString::number(value_mm, 'f', std::abs(value_mm) < 99.95 ? 1 : 0);
 }
@@ -30,7 +30,7 @@ QString whole(double degrees, bool is_signed) {
   return (is_signed && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value) + QChar(0x00b0);
 }
 
-/// The gap by both poses, the field that it costs, and the gap that the cameras see beside the coil.
+/// Adds the gap by both poses, the field lost by it, and the gap that the cameras measure beside the coil.
 void addGap(const guidance::CoilGap& gap, ReadOut& out) {
   if (!gap.by_poses_mm) return;
   out.gap = tr("gap %1 mm, field \u2212%2 %")

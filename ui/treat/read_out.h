@@ -1,6 +1,5 @@
 #pragma once
-// ReadOut: a NavigationState as the words and figures of the Treat workspace. When lost, every figure is
-// blank.
+// ReadOut: a NavigationState as the words and figures of the Treat workspace. If lost, every figure is blank.
 
 #include <QString>
 
@@ -19,7 +18,7 @@ struct ReadOut {
   QString across, depth, tilt, twist;  // "2.4", "+1.0", "3\u00b0"; a dash when there is none
   QString predicted;                   // "\u00b10.8 mm at the target", or empty
   QString gap, gap_tip;                // "gap 4.6 mm, field -17 %; cameras 0.9 mm", or empty
-  bool gap_disagrees = false;          // poses and cameras, by more than their own error
+  bool gap_disagrees = false;          // poses and cameras differ by more than their own error
   QString instruction;
   Level level = Level::lost;
   Chip cameras, face, coil;

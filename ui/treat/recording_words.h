@@ -1,5 +1,5 @@
 #pragma once
-// A recording that is played in place of cameras, in words: "morning: 300 frames, 60 per s (assumed)".
+// Describes a recording that is played in place of cameras: "morning: 300 frames, 60 per s (assumed)".
 
 #include <QCoreApplication>
 #include <QString>

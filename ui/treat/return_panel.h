@@ -1,6 +1,6 @@
 #pragma once
-// ReturnPanel: shown over the Treat workspace while a session that was cut off can be gone on with. One
-// sentence and two choices; not modal.
+// ReturnPanel: shown over the Treat workspace while an interrupted session can be continued. One sentence and
+// two choices; not modal.
 
 #include <QFrame>
 

@@ -16,7 +16,8 @@ QString agoInWords(double seconds) {
   return ReturnPresenter::tr("%1 h ago").arg(seconds / kHour_s, 0, 'f', 1);
 }
 
-/// "14:05" from 20261123T140509Z, in local time; with the day if it is not today. Another name: as it is.
+/// "14:05" from 20261123T140509Z, in local time; with the day if it is not today. Other names are returned
+/// unchanged.
 QString beginInWords(const std::string& name) {
   auto begin = QDateTime::fromString(QString::fromStdString(name).left(15), "yyyyMMdd'T'HHmmss");
   if (!begin.isValid()) return QString::fromStdString(name);
@@ -44,7 +45,7 @@ void ReturnPresenter::look() {
     try {
       if (offered_) planned_ = steps::plannedPulses(folder, offered_->target);
     } catch (const Error&) {
-      // A protocol that cannot be read: the session is offered without its goal.
+      // If the protocol cannot be read, the session is offered without its goal.
     }
   }
   emit changed();
@@ -53,7 +54,7 @@ void ReturnPresenter::look() {
 void ReturnPresenter::follow() {
   const bool is_running = treat_.isRunning();
   if (is_running == was_running_) {
-    emit changed();  // cameras may have come or gone
+    emit changed();  // cameras may have been opened or closed
     return;
   }
   was_running_ = is_running;

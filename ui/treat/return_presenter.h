@@ -1,6 +1,6 @@
 #pragma once
-// ReturnPresenter: the session of the case that was cut off (treat/session_return.h), as the Treat page
-// offers it: go on with it, or begin a new one. It looks when a case is opened and when a session ends.
+// ReturnPresenter: the interrupted session of the case (treat/session_return.h), as the Treat page offers it:
+// continue it, or begin a new one. It looks when a case is opened and when a session ends.
 
 #include <QObject>
 #include <optional>
@@ -15,15 +15,15 @@ class ReturnPresenter : public QObject {
  public:
   ReturnPresenter(TreatPresenter& treat, CaseModel& model, QObject* parent = nullptr);
 
-  /// True while a session is offered: one was cut off, none runs, and nobody chose a new one.
+  /// True while an interrupted session is offered: none runs, and the user did not choose a new one.
   bool isOffered() const { return offered_.has_value(); }
-  /// "The session of 14:05 was cut off 12 min ago: 83 of 200 pulses are kept, target M1 hand L."; empty: none
-  /// is offered.
+  /// "The session of 14:05 was cut off 12 min ago: 83 of 200 pulses are kept, target M1 hand L."; empty if
+  /// none is offered.
   QString words() const;
-  /// What is missing to go on: "open the cameras first (step 1)"; empty: nothing.
+  /// What is missing to continue: "open the cameras first (step 1)"; empty if nothing is.
   QString missing() const;
   void goOn();
-  /// The session stays as it is, and is no longer offered.
+  /// Stops offering the session, which stays unchanged.
   void beginNew();
 
  signals:

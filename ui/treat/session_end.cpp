@@ -7,7 +7,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(1000);  // for a session to end
+constexpr std::chrono::milliseconds kPatience(1000);  // time for a session to end
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std:
         try {
           end();
         } catch (...) {
-          has_ended->set_value();  // the report waits for it, and the window for the report
+          has_ended->set_value();  // the report waits for the session's end, and the window for the report
           throw;
         }
         has_ended->set_value();

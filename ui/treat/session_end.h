@@ -1,6 +1,6 @@
 #pragma once
-// The end of a session beside the window: its cameras, its log and its report take their own time, and the
-// window does not wait for them.
+// Ends a session in the background: its cameras, log and report take time, and the window does not wait for
+// them.
 
 #include <filesystem>
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace facenav::ui {
 
-/// A good camera ends within one frame, the log when all is written; the report follows. Returns then, or
-/// after a second.
+/// Ends the treatment, then writes its report. Returns when the cameras have ended (normally within one
+/// frame) and the log is written, or after a second.
 void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment);
-/// The same in two steps: `report` comes after `end`, also where `end` throws.
+/// Ends in two steps: `report` follows `end`, also if `end` throws.
 void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std::function<void()> report);
-/// Writes the report of a session that has ended again.
+/// Writes the report of an ended session again.
 void reportBeside(AsynchronousShutdown& retirement, const std::filesystem::path& case_folder,
                   const std::filesystem::path& session);
 

@@ -54,7 +54,8 @@ QWidget* SessionPanel::makePause() {
   return bar;
 }
 
-/// Chosen once, noted at once; a wrong choice is corrected by another one, and the report shows both.
+/// Makes the pain choice. A choice is logged at once; a correction is a second entry, and the report shows
+/// both.
 QWidget* SessionPanel::makePain() {
   auto* bar = new QWidget(this);
   auto* row = rowIn(bar);

@@ -1,6 +1,6 @@
 #pragma once
-// SessionPanel: what belongs to the session and not to the coil: pain before and after, adverse events,
-// pauses with their reason, where pulses come from, the sounds, and the other screens.
+// SessionPanel: controls of the session that do not concern the coil: pain before and after, adverse events,
+// pauses with their reason, source of the pulses, the sounds, and the other screens.
 
 #include <QFrame>
 

@@ -1,5 +1,6 @@
 #pragma once
-// SessionSounds: which tone a change of the guidance makes, and the player with its volume, both remembered.
+// SessionSounds: chooses the tone for a change of the guidance; holds the player and its volume, both
+// remembered.
 
 #include <optional>
 
@@ -8,23 +9,23 @@
 
 namespace facenav::ui {
 
-/// How near the coil is to the target, as far as a person listens for it.
+/// How near the coil is to the target, as far as the sounds distinguish it.
 enum class Nearness { lost, far, near, on_target };
 /// near: within kNear_mm of the target.
 constexpr double kNear_mm = 10.0;
 Nearness nearnessOf(const guidance::GuidanceState& guidance);
 
-/// lost, on_target: when it begins. approaching: on the way in, and when the target was just left. Nothing
-/// otherwise.
+/// Returns the tone for a change. lost, on_target: when that state begins. approaching: on the way in, and
+/// when the target was just left. Otherwise nothing.
 std::optional<sounds::Tone> toneBetween(Nearness before, Nearness now);
 
 class SessionSounds {
  public:
   SessionSounds();
 
-  /// Each new state of a running session.
+  /// Follows each new state of a running session.
   void follow(const guidance::GuidanceState& guidance);
-  /// Nothing is heard until the next session.
+  /// Stays silent until the next session.
   void forget() { nearness_.reset(); }
   void pulse() { player_.play(sounds::Tone::pulse); }
 
@@ -32,7 +33,7 @@ class SessionSounds {
   bool isMuted() const { return is_muted_; }
   void setVolume(double volume);
   void setMuted(bool is_muted);
-  /// Why nothing can be heard; empty: it can.
+  /// Why no sound can be played; empty if it can.
   std::string failure() const { return player_.failure(); }
 
  private:

@@ -6,7 +6,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kPairWithin_s = 20.0;  // a head holds still about that long
+constexpr double kPairWithin_s = 20.0;  // a head holds still for about this long
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// StillPictures: the pictures for the alignment, as they are taken one by one: a pair with dots and one
-// without, or a single pair where there is no projector.
+// StillPictures: the pictures for the alignment, taken one by one: a pair with dots and one without, or a
+// single pair if there is no projector.
 
 #include <QString>
 #include <optional>
@@ -13,10 +13,10 @@ namespace facenav::ui {
 class StillPictures {
  public:
   void clear();
-  /// A pair that shows all that is needed.
+  /// Takes a pair that suffices alone.
   void take(const cameras::StereoFrame& frame);
   void takeDots(const cameras::StereoFrame& frame);
-  /// After the dots. Not empty: why it was not taken.
+  /// Takes the pair without dots, after the one with dots. Returns the reason if it is refused, else empty.
   QString takePlain(const cameras::StereoFrame& frame);
   bool hasDots() const { return dots_.has_value(); }
   /// Both pairs, if taken within 20 s of each other.

@@ -21,7 +21,8 @@ TipPanel::TipPanel(TipPresenter& tip, TreatPresenter& treat, QWidget* parent)
   skin_->setShortcut(Qt::Key_O);
   connect(skin_, &QCheckBox::toggled, &treat_, &TreatPresenter::showSkin);
   column->addWidget(makeFigures());
-  column->addWidget(makeJudgement());  // before the words: in a low window figures and buttons are in sight
+  column->addWidget(makeJudgement());  // before the words, so that figures and buttons stay visible in a low
+                                       // window
   words_ = new QLabel(this);
   words_->setObjectName("tip_words");
   makeNarrow(*words_);

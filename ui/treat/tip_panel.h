@@ -1,6 +1,6 @@
 #pragma once
-// TipPanel: the tool Check of Treat: the MRI's skin over the pictures (on or off), where the coil's tip or a
-// clicked spot is on the MRI's skin, and two buttons for a person's judgement.
+// TipPanel: the tool Check of Treat: the MRI's skin over the pictures (on or off), the position of the coil's
+// tip or of a clicked spot on the MRI's skin, and two buttons for a person's judgement.
 
 #include <QFrame>
 

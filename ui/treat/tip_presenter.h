@@ -1,8 +1,8 @@
 #pragma once
-// TipPresenter: the check of the alignment that a person judges (align/alignment_seen.h): the coil's tip
-// is held to nose or ear, or a spot is clicked in a live picture (a finger's tip, a mole); the page says
-// where it is on the MRI's skin, and the person says right or wrong. The judgement is an event of the
-// session; a wrong one withholds guidance until a measured check passes.
+// TipPresenter: the check of the alignment that a person judges (align/alignment_seen.h). The coil's tip is
+// held to nose or ear, or a spot is clicked in a live picture (a finger's tip, a mole); the page shows where
+// it is on the MRI's skin, and the person judges right or wrong. The judgement is an event of the session; a
+// wrong one withholds guidance until a measured check passes.
 
 #include <QObject>
 #include <QPointF>
@@ -20,12 +20,12 @@ class TipPresenter : public QObject {
 
   /// Takes the newest state; called about 30 times a second.
   void follow(const session::NavigationState& state);
-  /// A spot that was clicked in a picture of `state`. It stands in place of the coil's tip until it is
-  /// judged, but no longer than kSpotHolds_s. Why one cannot be measured is said for kRefusalHolds_s; nothing
-  /// can be judged then.
+  /// Measures a spot clicked in a picture of `state`. It replaces the coil's tip until it is judged, for at
+  /// most kSpotHolds_s. If it cannot be measured, the reason is shown for kRefusalHolds_s and nothing can be
+  /// judged.
   void pick(stereo::PictureSide side, const QPointF& px, const session::NavigationState& state);
   static constexpr double kSpotHolds_s = 30, kRefusalHolds_s = 6;
-  /// "0.8", "3.2"; a dash where the tip is not known, or too far from the head to be judged.
+  /// "0.8", "3.2"; a dash if the tip is not known, or too far from the head to be judged.
   QString offSkin() const;
   QString offPlace() const;
   /// "mm outside the skin", "mm from nose tip".
@@ -33,7 +33,7 @@ class TipPresenter : public QObject {
   QString placeWords() const;
   /// What to do, or the last judgement: "14:05 judged right: 0.8 mm outside the skin, 3.2 mm from nose tip".
   QString words() const;
-  /// The tip is near the head, in a running session.
+  /// True if the tip is near the head in a running session.
   bool canJudge() const;
   /// Does nothing unless canJudge().
   void judge(steps::TipVerdict verdict);
@@ -53,7 +53,7 @@ class TipPresenter : public QObject {
   TreatPresenter& treat_;
   std::optional<guidance::TipReading> reading_;
   std::optional<Spot> spot_;
-  QString refusal_;  // of the newest click
+  QString refusal_;  // refusal of the newest click
   Timestamp refused_;
   QString shown_, last_;
 };

@@ -56,7 +56,7 @@ TreatPresenter::~TreatPresenter() {
   if (treatment_) endSession();
 }
 
-/// Another case may be another patient: no picture and no alignment of before is used for it.
+/// Discards pictures and alignment: another case may be another patient.
 void TreatPresenter::forgetCase() {
   stop();
   aligned_ = {};
@@ -86,7 +86,7 @@ void TreatPresenter::openRecording(const QString& folder) {
   });
 }
 
-/// The old alignment is no longer valid.
+/// Uses the cameras; the old alignment is no longer valid.
 void TreatPresenter::useCameras() {
   stop();
   recording_ = capture::Recording{};
@@ -98,7 +98,7 @@ void TreatPresenter::useCameras() {
   emit changed();
 }
 
-/// They may be moved or calibrated anew now: what was seen with them is no longer valid.
+/// Discards what was measured with the cameras, which may be moved or calibrated anew now.
 void TreatPresenter::forgetCameras() {
   if (!is_live_ || isRunning()) return;
   recording_.reset();
@@ -159,7 +159,7 @@ void TreatPresenter::start() {
   startWith({});
 }
 
-/// The face as it was at the alignment of that session counts, not as it is now.
+/// Continues the session with the face as it was at that session's alignment, not as it is now.
 void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
   if (!canGoOn()) {
     refuseCameras();
@@ -184,7 +184,7 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
 }
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
-  if (is_live_) cameras_.readAgain();  // a note that they have moved is in force at once
+  if (is_live_) cameras_.readAgain();  // so that a note that they have moved takes effect at once
   if (!recording_ || refuseCameras()) return;
   steps::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
                                   aligned_.outcome};
@@ -201,7 +201,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
                });
 }
 
-/// A session that ended by itself still exists, with its log. It is ended first.
+/// Begins a session. One that ended by itself still exists with its log, so it is ended first.
 void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
   if (treatment_) endSession();
   treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), chosen());

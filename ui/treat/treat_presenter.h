@@ -25,7 +25,7 @@ class TreatPresenter : public QObject {
   Q_OBJECT
 
  public:
-  /// `draw`: draws the camera overlays, on its own thread; empty: pictures/camera_overlay.h is used.
+  /// `draw`: draws the camera overlays, on its own thread; if empty, pictures/camera_overlay.h is used.
   TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent = nullptr,
                  pictures::OverlayWorker::Draw draw = {});
   ~TreatPresenter() override;
@@ -38,7 +38,7 @@ class TreatPresenter : public QObject {
   void align(bool then_start);
   /// Step 3: runs from the cameras, or from the recording as if it were live.
   void start();
-  /// Goes on with an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
+  /// Continues an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
   /// until the face was measured against that alignment. Needs cameras or a recording.
   void goOn(const casefile::SessionSoFar& session);
   void stop();
@@ -46,54 +46,53 @@ class TreatPresenter : public QObject {
   /// Names of the coils to choose from: the recording's own one, then those of the library.
   QStringList coils() const { return coil_.names(); }
   QString coilName() const { return coil_.name(); }
-  /// Follows this coil from now on, also while guidance runs. Remembered where it is of the library.
+  /// Follows this coil from now on, also while guidance runs. A coil of the library is remembered.
   void chooseCoil(const QString& name);
-  /// That the target was found with another coil, or that the coil's calibration is old or not recorded;
-  /// empty: nothing to say.
+  /// Reminds that the target was found with another coil, or that the coil's calibration is old or not
+  /// recorded; empty if neither applies.
   QString coilReminder() const { return coil_.reminder(target()); }
-  /// Recorded in the case and in the session's log. Refused without name and reason.
+  /// Records an override in the case and in the session's log. Refused without name and reason.
   void overrideSignOff(const QString& by, const QString& reason);
-  /// Guides to a place that is not in the plan (a site of a hunting grid); nothing: to the chosen target
-  /// again.
+  /// Guides to a place outside the plan (a site of a hunting grid); empty: to the chosen target again.
   void guideTo(const std::optional<guidance::Target>& site);
 
-  // While guidance runs; else they do nothing, or return false.
-  /// Keeps a TMS pulse with where the coil was.
+  // The functions of this group work only while guidance runs; else they do nothing, or return false.
+  /// Stores a TMS pulse with the coil's pose.
   void countPulse();
-  /// What the muscle did at the newest pulse.
+  /// Stores the muscle's response to the newest pulse.
   bool answerPulse(double mep_uv);
   bool answerPulse(bool has_twitched);
   void pause(const QString& reason);
   void resume();
   bool isPaused() const { return isRunning() && treatment_->isPaused(); }
-  /// Measures the registration again; the finding is in the next states, and in the log.
+  /// Measures the registration again; the result is in the next states, and in the log.
   void checkRegistration();
-  /// The last check, or the alignment, is too long ago.
+  /// True if the last check, or the alignment, is too long ago.
   bool isCheckDue() const { return isRunning() && treatment_->isCheckDue(); }
 
-  /// Of the following pulses; remembered until the window closes. % of the maximal output.
+  /// Sets the intensity of the following pulses, % of the maximal output; remembered until the window closes.
   void setIntensity(std::optional<double> intensity_pct);
   std::optional<double> intensity() const { return intensity_pct_; }
-  /// Where pulses come from beside the keyboard, as links::openPulseSource reads it; empty: nowhere.
-  /// Remembered. Used at once by a running session. False: refused, with words.
+  /// Sets the source of pulses beside the keyboard, as links::openPulseSource reads it; empty: none.
+  /// Remembered, and used at once by a running session. Returns false, after refused(), if it is invalid.
   bool setPulseSource(const QString& words);
   QString pulseSource() const { return pulse_source_; }
-  /// An event of the session that runs, or of the last one of this window. False: there is none.
+  /// Logs an event of the running session, or of this window's last one. Returns false if there is none.
   bool note(const QString& event, const QString& detail);
 
   session::PulseCounts pulseCounts() const {
     return treatment_ ? treatment_->log().counts() : session::PulseCounts();
   }
-  /// Of the target's dose or the case's protocol; nothing: no goal.
+  /// Number of pulses by the target's dose or the case's protocol; empty without a goal.
   std::optional<int> plannedPulses() const { return treatment_ ? treatment_->plannedPulses() : std::nullopt; }
-  /// The newest pulse with a verdict; nothing without one.
+  /// The newest pulse with a verdict; empty if there is none.
   std::optional<session::JudgedPulse> lastPulse() const {
     return treatment_ ? treatment_->log().lastPulse() : std::nullopt;
   }
 
   bool mayTreat() const { return model_.mayBeTreated(); }
-  /// Pulses that are kept in the session's file; a pulse gets there with the frame after it, at the
-  /// latest after half a second.
+  /// Number of pulses in the session's file; a pulse is written with the frame after it, at the latest after
+  /// half a second.
   int pulses() const { return treatment_ ? treatment_->log().pulses() : 0; }
   /// Time from the start of guidance until its end, "00:07:31"; empty before.
   QString sessionTime() const;
@@ -101,7 +100,7 @@ class TreatPresenter : public QObject {
   QString logFailure() const {
     return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
   }
-  /// True with cameras or a recording.
+  /// True if cameras are open or a recording is loaded.
   bool hasRecording() const { return recording_.has_value(); }
   bool isLive() const { return is_live_; }
   /// True if everything needed to align is there.
@@ -110,55 +109,54 @@ class TreatPresenter : public QObject {
     return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty() &&
            otherChoiceWords().isEmpty();
   }
-  /// The fault of the live cameras, or the one that the last session found, or a motion that it corrected;
-  /// empty: none.
+  /// Fault of the live cameras, or the fault or corrected motion that the last session found; empty if none.
   QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
-  /// Why the live cameras are not aligned or guided with, until they are repaired; empty: they are.
+  /// Why alignment and guidance with the live cameras are withheld until repair; empty if they are not.
   QString withheldWords() const { return is_live_ ? cameras_.rigFault() : QString(); }
-  /// That other cameras or another calibration are chosen than the live ones were opened with: the pictures
-  /// and the alignment are not of these. Empty: the same.
+  /// Warning that the chosen cameras or calibration differ from the opened ones, to which pictures and
+  /// alignment belong. Empty if they are the same.
   QString otherChoiceWords() const { return is_live_ ? cameras_.otherChoiceWords() : QString(); }
-  /// An alignment that was judged wrong is none: the next session needs another one.
+  /// True if aligned. An alignment that was judged wrong does not count: the next session needs another one.
   bool isAligned() const { return aligned_.outcome != nullptr && !is_judged_wrong_; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
   /// The recording reached its end, or a fault stopped the session.
   bool hasEnded() const { return treatment_ && treatment_->session().hasEnded(); }
-  /// The recording used in place of cameras; empty: none.
+  /// Folder of the recording used in place of cameras; empty if none.
   QString recordingFolder() const;
   QString recordingWords() const;
-  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session". The header says
-  /// the same.
+  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session". The header shows
+  /// the same words.
   QString alignmentWords() const;
   QString targetName() const { return target_; }
-  /// The place that is guided to: the chosen target, or the site of a hunting grid. May be null.
+  /// The target guided to: the chosen one, or the site of a hunting grid. May be null.
   const guidance::Target* target() const;
 
-  /// The error at a target is smaller in 95 of 100 alignments like this one, mm; nothing without one. Of
-  /// cameras that stand as they were calibrated: the session withholds poses where the coil's marker shows
-  /// that they do not.
+  /// Bound of the error at a target that 95 of 100 such alignments keep, mm; empty without an alignment.
+  /// Assumes cameras positioned as calibrated: the session withholds poses if the coil's marker shows
+  /// otherwise.
   std::optional<double> errorBound95_mm(const guidance::Target& target) const {
     if (!isAligned()) return std::nullopt;
     const auto& result = aligned_.outcome->result;
     return result.uncertainty().errorBound_mm(result.camera_T_mri, target.cortex_point);
   }
 
-  /// The MRI's skin and the check of the coil's tip, of the alignment in use; null members: none.
+  /// The MRI's skin and the check of the coil's tip, for the alignment in use; null members if none.
   const steps::AlignmentSeen& alignmentSeen() const { return aligned_.seen; }
-  /// The MRI's skin over the pictures that the alignment was made from; null: none.
+  /// The MRI's skin over the pictures of the alignment; null if none.
   const std::shared_ptr<const pictures::CameraOverlay>& alignmentPicture() const { return aligned_.picture; }
-  /// The skin is drawn over the live pictures: from an alignment on, until it is switched off.
+  /// True while the skin is drawn over the live pictures: from an alignment on, until it is switched off.
   bool showsSkin() const { return shows_skin_; }
   void showSkin(bool is_shown);
-  /// The point of the coil that is held to the face.
+  /// Point of the coil to hold to the face.
   const Point<Coil>& tip() const { return coil_.model().tip; }
-  /// Of the cameras or the recording; null: none.
+  /// Rig of the cameras or the recording; null if none.
   const cameras::StereoRig* rig() const { return recording_ ? &recording_->rig : nullptr; }
-  /// Drawn over the live pictures with the skin; nothing: none.
+  /// Draws a spot over the live pictures with the skin; empty: none.
   void showSpot(const std::optional<Point<Mri>>& spot) { spot_ = spot; }
-  /// Logs it; after a wrong one guidance is withheld, and the head must be aligned again.
+  /// Logs the judgement; a wrong one withholds guidance, and the head must be aligned again.
   void judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading);
 
-  /// The newest state; everything is lost if nothing runs.
+  /// The newest state; everything is lost in it if nothing runs.
   std::shared_ptr<const session::NavigationState> state() const;
   /// Requests both camera overlays of `state`; overlayDrawn() delivers them.
   void askOverlay(std::shared_ptr<const session::NavigationState> state);
@@ -170,7 +168,8 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
-  /// With words; false: the cameras are those that were opened, and are not known to have moved.
+  /// Refuses with words if the cameras are not those that were opened, or have moved. Returns false
+  /// otherwise.
   bool refuseCameras();
   void use(const AlignedHead& aligned);
   void begin(steps::PreparedTreatment& prepared);
@@ -185,15 +184,15 @@ class TreatPresenter : public QObject {
   CaseModel& model_;
   TaskRunner& tasks_;
   CamerasPresenter cameras_;
-  std::optional<capture::Recording> recording_;  // with live cameras: the rig and the images taken
+  std::optional<capture::Recording> recording_;  // with live cameras: the rig and the captured images
   bool is_live_ = false;
   mutable QString rig_fault_;
   FollowedCoil coil_;
   AlignedHead aligned_;
-  bool is_judged_wrong_ = false;  // aligned_, by a person; until the head is aligned again
+  bool is_judged_wrong_ = false;  // judgement of aligned_ by a person; until the head is aligned again
   bool shows_skin_ = true;
   std::optional<Point<Mri>> spot_;
-  std::shared_ptr<steps::Treatment> treatment_;  // null: none was started
+  std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;
   QString target_, pulse_source_;

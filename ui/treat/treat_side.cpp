@@ -19,7 +19,7 @@
 namespace facenav::ui {
 namespace {
 
-/// Asks for the width of the page that is shown, not for that of the widest.
+/// Takes the width of the shown page, not that of the widest.
 class ShownPage : public QStackedWidget {
  public:
   explicit ShownPage(QWidget* parent) : QStackedWidget(parent) {
@@ -29,7 +29,7 @@ class ShownPage : public QStackedWidget {
     const QWidget* page = currentWidget();
     return page ? page->minimumSizeHint().expandedTo(page->minimumSize()) : QSize();
   }
-  /// The column round it scrolls only where this does not fit.
+  /// Lets the surrounding column scroll only if this does not fit.
   QSize sizeHint() const override { return minimumSizeHint(); }
 };
 
@@ -98,14 +98,14 @@ void TreatSide::show(const guidance::GuidanceState& guidance, const ReadOut& rea
 
 void TreatSide::resizeEvent(QResizeEvent*) { arrange(); }
 
-/// The room changes with the rows below it, too.
+/// Rearranges, because the room changes with the rows below, too.
 bool TreatSide::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) arrange();
   return QWidget::eventFilter(watched, event);
 }
 
-/// Where the bull's eye and the figures have no room one above the other, the bull's eye moves beside the
-/// figures. The other panels are too wide for that: the figures become small.
+/// Moves the bull's eye beside the figures if both do not fit one above the other. The other panels are too
+/// wide for that, so the figures become small.
 void TreatSide::arrange() {
   const bool is_aim = tools_->currentWidget() == bulls_eye_;
   const int needed_px =

@@ -25,7 +25,7 @@ class TreatSide : public QWidget {
   Q_OBJECT
 
  public:
-  /// Which panel stands beside the figures.
+  /// Panel shown beside the figures.
   enum class Tool { aim, motor, session, check };
   TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresenter& check, TipPresenter& tip,
             SessionSounds& sounds, SecondScreens& screens, ProjectorPresenter& projector,
@@ -33,9 +33,9 @@ class TreatSide : public QWidget {
 
   void showTool(Tool tool);
   bool isShown(Tool tool) const;
-  /// The pulses' figures, at each refresh.
+  /// Updates the pulses' figures at each refresh.
   void refreshPulses();
-  /// A new state: bull's eye and figures.
+  /// Shows a new state: bull's eye and figures.
   void show(const guidance::GuidanceState& guidance, const ReadOut& read_out);
   static constexpr int kFigures_px = 520;  // two figures of 64 and 48 pt side by side
 

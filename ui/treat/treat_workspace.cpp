@@ -113,7 +113,7 @@ QWidget* TreatWorkspace::makeSteps() {
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
-  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
+  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // for large text
   show_slices_ = new QPushButton(tr("Slices"), bar);
   show_slices_->setObjectName("tool");
   show_slices_->setCheckable(true);
@@ -207,7 +207,7 @@ void TreatWorkspace::showSteps() {
   }
 }
 
-/// A calibration that is old is marked at the coil's name, and said in its tip and in step 1.
+/// Marks an outdated calibration at the coil's name, in its tooltip and in step 1.
 void TreatWorkspace::showCoils() {
   const QString reminder = presenter_.coilReminder();
   coil_->clear();
@@ -263,7 +263,7 @@ void TreatWorkspace::refresh() {
   tools_->refreshPulses();
   check_.follow(*state);
   tip_.follow(*state);
-  // The check of a kept rig answers at any time.
+  // The check of a kept rig can finish at any time.
   if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled() ||
       hasMoved() != shows_moved_)
     showSteps();
@@ -322,7 +322,7 @@ void TreatWorkspace::drawScene(const session::NavigationState& state, const Read
   was_started ? scene_->refreshMoving() : scene_->refresh();
 }
 
-/// Before guidance: the pictures that the head was aligned from, with the MRI's skin over them.
+/// Before guidance, shows the pictures of the alignment with the MRI's skin over them.
 void TreatWorkspace::showPictures(const std::shared_ptr<const session::NavigationState>& state,
                                   bool was_started) {
   const auto& aligned = presenter_.alignmentPicture();
@@ -336,7 +336,7 @@ void TreatWorkspace::showEvent(QShowEvent*) {
   timer_.start();
 }
 
-/// The second screens are followed while another page is shown.
+/// Keeps updating the second screens while another page is shown.
 void TreatWorkspace::hideEvent(QHideEvent*) {
   if (!screens_->areShown()) timer_.stop();
 }

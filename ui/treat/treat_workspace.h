@@ -1,7 +1,7 @@
 #pragma once
 // Treat: 3-D scene, both cameras with overlays, bull's eye, figures legible from two metres. Steps: 1
-// Cameras, 2 Align, 3 Guide. It takes the newest state about 30 times a second. If lost or old: figures
-// blank, scene grey, and words say why.
+// Cameras, 2 Align, 3 Guide. It takes the newest state about 30 times a second. If lost or outdated, figures
+// are blank, the scene is grey, and words give the reason.
 
 #include <QTimer>
 #include <QWidget>
@@ -52,7 +52,7 @@ class TreatWorkspace : public QWidget {
   QWidget* makeSide();
   QWidget* makeSteps();
   void showCase();
-  bool hasMoved() const;  // the cameras of a kept rig: nothing is aligned or guided with them
+  bool hasMoved() const;  // true if a kept rig has moved: no alignment or guidance with it
   void showSteps();
   void showCoils();
   void refresh();

@@ -28,7 +28,7 @@ struct EvaluateRequest {
   std::optional<fs::path> case_folder;
   std::string target;
   Methods methods;
-  bool is_right_only = false;  // plain_align: nothing that must be refused, no turned cameras
+  bool is_right_only = false;  // plain_align: only what must succeed, no faults
   fs::path output = "facenav_evaluation";
 };
 
@@ -62,7 +62,9 @@ void playHead(Context& context, const EvaluateRequest& request, const Evaluation
     }
     auto sequence = roomSequence(planned[i].options, head);
     runSequence(context, sequence, head.scalp, head.target, request.methods, last, run, report);
-    if (run.scenario == "capture") run.frames.clear();  // it exists only because a recording needs a frame
+    if (run.scenario == "capture")
+      run.frames.clear();  // a recording needs a frame, but a capture is not
+                           // evaluated on it
     runs.push_back(std::move(run));
   }
 }
@@ -79,7 +81,7 @@ std::vector<evaluation::RunRecord> playRoom(Context& context, const EvaluateRequ
   return runs;
 }
 
-/// The case's target; without a plan, a first guess of the hand area.
+/// The target at which errors are measured: the case's, or without a plan a first guess of the hand area.
 guidance::Target measuredAt(const casefile::CaseStore& store, const std::string& name) {
   const auto plan = store.targets();
   if (!name.empty()) return plan.find(name);
@@ -116,7 +118,7 @@ std::vector<evaluation::RunRecord> playRecordings(Context& context, const Evalua
   return runs;
 }
 
-/// " Measured with changed settings: ..", where any differ.
+/// " Measured with changed settings: ..", if any differ.
 std::string measuredWith() {
   const auto changed = changedSettingsFinding(" Measured");
   return changed ? *changed + "." : "";

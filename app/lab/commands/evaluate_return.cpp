@@ -45,7 +45,8 @@ void addEvaluateReturn(CLI::App& evaluate, Context& context) {
     for (std::size_t i = 0; i < heads.size(); ++i) {
       const EvaluationHead* other = heads.size() > 1 ? &heads[(i + 1) % heads.size()] : nullptr;
       for (auto& run : runReturns(context, heads[i], other, request->run)) runs.push_back(std::move(run));
-      writeWholeFile(request->output / "returns.csv", returnsCsv(runs));  // a long run is not lost
+      writeWholeFile(request->output / "returns.csv", returnsCsv(runs));  // written after each run, in case a
+                                                                          // later one fails
     }
     const std::string table = returnsTable(runs);
     writeWholeFile(request->output / "returns.md", table);

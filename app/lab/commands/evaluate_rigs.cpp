@@ -1,4 +1,4 @@
-// facenav evaluate rigs FOLDER [--rigs DIR]: are faults of the cameras named rightly?
+// facenav evaluate rigs FOLDER [--rigs DIR]: tests whether faults of the cameras are named correctly.
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-// facenav evaluate skin VOLUME..: how far the skin moves by shading, a bright nose, halo, pads, earphones.
+// facenav evaluate skin VOLUME..: displacement of the skin by shading, a bright nose, halo, pads, earphones.
 
 #include <cstdio>
 

@@ -7,12 +7,12 @@ namespace facenav::app {
 
 void addSimulate(CLI::App& app, Context& context);
 void addEvaluate(CLI::App& app, Context& context);
-/// `facenav evaluate prepare`, below evaluate.
+/// Adds `facenav evaluate prepare` below evaluate.
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
-/// `facenav evaluate rigs`, below evaluate.
+/// Adds `facenav evaluate rigs` below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
 void addEvaluateSkin(CLI::App& evaluate, Context& context);
-/// `facenav evaluate return`, below evaluate.
+/// Adds `facenav evaluate return` below evaluate.
 void addEvaluateReturn(CLI::App& evaluate, Context& context);
 void addEvaluatePairs(CLI::App& evaluate, Context& context);
 void addDemo(CLI::App& app, Context& context);

@@ -21,13 +21,13 @@ struct PictureInput {
   std::vector<std::shared_ptr<const session::NavigationState>> states;  // of the treatment, in order
 };
 
-/// PNGs of the brain and of states spread over the treatment, and a video of all states, with captions for
-/// the report.
+/// Writes PNGs of the brain and of states spread over the treatment, and a video of all states, with captions
+/// for the report.
 std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input,
                                                      const std::filesystem::path& folder,
                                                      TaskMonitor& monitor);
 
-/// Three cross-sections of the MRI through the face with the face cloud in red.
+/// Draws three cross-sections of the MRI through the face with the face cloud in red.
 std::vector<evaluation::ReportFigure> drawAlignment(const casefile::CaseStore& store,
                                                     const steps::AlignmentOutcome& outcome,
                                                     const std::filesystem::path& folder);

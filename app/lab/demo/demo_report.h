@@ -24,16 +24,17 @@ struct DemoFigures {
   double total_s = 0;
 };
 
-/// Error over rotation angle (paper, figure 13), one curve per axis, as SVG. `truth` gives the angles.
+/// Writes the error over the rotation angle (paper, figure 13), one curve per axis, as SVG. `truth` gives the
+/// angles.
 void writeProtractorPlot(const evaluation::TrackingEvaluation& protractor,
                          const std::map<std::int64_t, Eigen::Isometry3d>& truth,
                          const std::filesystem::path& svg);
 
-/// report.html in `folder`; `pictures` are files in it with their captions.
+/// Writes report.html in `folder`; `pictures` are files in it with their captions.
 void writeDemoReport(const DemoFigures& figures, const std::vector<evaluation::ReportFigure>& pictures,
                      const std::filesystem::path& folder);
 
-/// The results in a few lines, for the terminal.
+/// Formats the results in a few lines for the terminal.
 std::string summary(const DemoFigures& figures);
 
 }  // namespace facenav::app

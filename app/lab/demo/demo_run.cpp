@@ -81,7 +81,7 @@ struct Truth {
   std::map<std::int64_t, Eigen::Isometry3d> head, coil;  // camera_T_mri, camera_T_coil
 };
 
-/// A recording without a coil (the protractor) has no truth for it.
+/// Reads the room's truth. A recording without a coil (the protractor) has none for the coil.
 Truth readRoomTruth(const fs::path& recording) {
   Truth truth{capture::readTruth(recording / "truth/head.csv"), {}};
   if (!fs::exists(recording / "truth/coil.csv")) return truth;

@@ -10,10 +10,10 @@ namespace facenav::app {
 struct DemoRequest {
   std::filesystem::path folder;  // result; written whole, replaces an earlier demo
   std::uint64_t seed = 1;
-  int frames = 0;  // of the treatment; 0: the scenario's own length
+  int frames = 0;  // length of the treatment; 0: the scenario's own
 };
 
-/// Throws Error; `folder` is then unchanged.
+/// Runs the demo. Throws Error; `folder` is then unchanged.
 DemoFigures runDemo(Context& context, const DemoRequest& request);
 
 }  // namespace facenav::app

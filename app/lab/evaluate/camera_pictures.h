@@ -13,14 +13,14 @@
 
 namespace facenav::app {
 
-/// By name, "l_418".
+/// Picture files by name: "l_418".
 std::map<std::string, std::filesystem::path> picturesIn(const std::filesystem::path& folder);
-/// By name, "lm". Throws Error for a file that is no rig.
+/// Rigs by name: "lm". Throws Error for a file that is no rig.
 std::map<std::string, cameras::StereoRig> rigsIn(const std::filesystem::path& folder);
 /// Moments for which both cameras have a file, sorted by name: "418".
 std::vector<std::string> momentsOf(const std::map<std::string, std::filesystem::path>& pictures, char left,
                                    char right);
-/// 8-bit grey. Throws Error naming a file that cannot be read.
+/// Reads a picture as 8-bit grey. Throws Error naming a file that cannot be read.
 cv::Mat readGrey(const std::filesystem::path& path);
 
 }  // namespace facenav::app

@@ -62,7 +62,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-/// The same head in another size: voxels keep their values, the grid is scaled about its centre.
+/// Returns the head in another size: voxels keep their values, the grid is scaled about its centre.
 volume::Volume stretched(volume::Volume mri, const Eigen::Vector3d& scale) {
   const Eigen::Vector3d centre = mri.grid.centre().mm;
   Eigen::Affine3d about = Eigen::Affine3d::Identity();
@@ -72,7 +72,7 @@ volume::Volume stretched(volume::Volume mri, const Eigen::Vector3d& scale) {
   return mri;
 }
 
-/// The scan without everything below `z_mm`.
+/// Returns the scan without everything below `z_mm`.
 volume::Volume endingAt(const volume::Volume& mri, double z_mm) {
   const volume::Volume whole = volume::toRasOrder(mri);
   const int first = std::clamp(

@@ -10,7 +10,8 @@ namespace facenav::app {
 namespace {
 
 constexpr const char* kCapture = "capture";
-// At a capture the patient may sit anywhere. During treatment no patient sits turned by 30 degrees.
+// Range of the seat. At a capture the patient may sit anywhere; during treatment nobody sits turned by 30
+// degrees.
 constexpr double kCaptureTurn_deg = 30.0, kCaptureShift_mm = 60.0, kSeatTurn_deg = 6.0, kSeatShift_mm = 20.0;
 constexpr double kAlignTurn_deg = 12.0, kAlignShift_mm = 30.0;  // to align, the patient looks at the cameras
 constexpr int kQuickFrames = 30, kQuickCaptures = 5, kQuickLost = 90, kDriftFrames = 240;
@@ -28,7 +29,7 @@ int framesOf(const EvaluationRequest& request, const std::string& scenario) {
   if (request.frames > 0) return request.frames;
   if (!request.is_quick || scenario == "protractor") return 0;
   const bool has_parts = scenario == "lost" || scenario == "free_motion" ||
-                         drifts(scenario);  // shorter runs would end before their parts
+                         drifts(scenario);  // shorter runs would end before all parts
   return scenario == "still" ? 15 : has_parts ? kQuickLost : kQuickFrames;
 }
 
@@ -39,9 +40,10 @@ std::string inWords(const room::RigOptions& rig) {
   return name;
 }
 
-/// To align, each seed has its own cameras: of every three, one pair near the face and two random ones.
+/// Options with cameras per seed, for alignment runs: of every three, one pair near the face and two random
+/// ones.
 room::ScenarioOptions onItsOwnRig(room::ScenarioOptions options, std::uint64_t seed) {
-  constexpr std::uint64_t kOfThree = 3, kRigs = 5000;  // beyond those of --rigs
+  constexpr std::uint64_t kOfThree = 3, kRigs = 5000;  // seeds beyond those of --rigs
   if (!options.rig_name.empty()) return options;
   if (seed % kOfThree == 0)
     options.rig_name = "close";
@@ -50,7 +52,7 @@ room::ScenarioOptions onItsOwnRig(room::ScenarioOptions options, std::uint64_t s
   return options;
 }
 
-/// Rig 0 is that of the room or of the scenario; the others are random, with the number as seed.
+/// Plans a run. Rig 0 is that of the room or of the scenario; the others are random, with the number as seed.
 PlannedRun planned(const EvaluationRequest& request, int rig, const std::string& scenario,
                    std::uint64_t seed) {
   room::ScenarioOptions options = request.room;
@@ -60,7 +62,7 @@ PlannedRun planned(const EvaluationRequest& request, int rig, const std::string&
   options.seed = seed;
   const bool is_capture = scenario == kCapture;
   options.frames = is_capture ? 1 : framesOf(request, scenario);
-  if (request.is_quick && drifts(scenario)) {  // as slowly as in the whole scenario
+  if (request.is_quick && drifts(scenario)) {  // at the speed of the whole scenario
     const double share = double(options.frames) / kDriftFrames;
     options.drift_deg *= share, options.drift_mm *= share;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // The runs of `facenav evaluate`: scenarios x seeds x rigs for each head, and captures for the alignment
-// alone. Each run has its own seat of the patient.
+// alone. The patient's seat differs in each run.
 
 #include <string>
 #include <vector>
@@ -23,10 +23,10 @@ struct PlannedRun {
   std::string rig;  // in words
 };
 
-/// The runs of one head. Throws Error for a scenario that does not exist.
+/// Plans the runs of one head. Throws Error for a scenario that does not exist.
 std::vector<PlannedRun> plannedRuns(const EvaluationRequest& request);
 
-/// One line: "9 scenarios x 3 seeds x 1 rig, 20 captures, head: patient".
+/// Summary in one line: "9 scenarios x 3 seeds x 1 rig, 20 captures, head: patient".
 std::string inWords(const EvaluationRequest& request);
 
 }  // namespace facenav::app

@@ -8,7 +8,7 @@
 namespace facenav::app {
 namespace {
 
-/// True if the whole square is inside both images and seen from the front.
+/// Returns true if the whole square is inside both images and seen from the front.
 bool isMarkerInView(const cameras::StereoRig& rig, const Eigen::Isometry3d& camera_T_marker, double size_mm) {
   constexpr double kMargin_px = 3.0;
   const Eigen::Isometry3d right_T_marker = rig.right_T_left.isometry() * camera_T_marker;
@@ -40,7 +40,7 @@ bool isSameCapture(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
 }
 
-/// Aligns and records the errors; nothing if the alignment was refused.
+/// Aligns and records the errors; returns nothing if the alignment was refused.
 std::optional<AlignedCapture> align(Context& context, const EvaluationSequence& sequence,
                                     const surface::ScalpSurface& scalp, const guidance::Target& target,
                                     const Methods& methods, evaluation::RunRecord& run) {

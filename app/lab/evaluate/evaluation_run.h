@@ -28,20 +28,21 @@ struct EvaluationSequence {
   std::shared_ptr<capture::FrameSource> source;
   std::optional<capture::CapturePair> capture;
   std::optional<RigidTransform<Camera, Mri>> capture_truth;         // camera_T_mri at the capture
-  std::function<evaluation::FrameTruth(std::int64_t frame)> truth;  // for a frame that `source` gave
+  std::function<evaluation::FrameTruth(std::int64_t frame)> truth;  // truth for a frame that `source`
+                                                                    // returned
   coil_tracking::CoilModel coil;
   double frames_per_s = 60.0;
   std::optional<evaluation::ExactDepth> capture_depth;
   std::optional<Point<Mri>> face_middle;
 };
 
-/// The room's coil as the trackers know it.
+/// Converts the room's coil to the trackers' model.
 coil_tracking::CoilModel coilOf(const room::RoomCoil& coil);
-/// A scenario of the virtual room, rendered on demand.
+/// Makes the sequence of a scenario of the virtual room, rendered on demand.
 EvaluationSequence roomSequence(const room::ScenarioOptions& options, const EvaluationHead& head);
-/// A recording with truth/ from another program (resources/doc/formats.md). Its scenario.json, if there is
-/// one, marks frames in which the pose must be lost and gives the head's pose at the capture. Throws Error if
-/// there is no truth or no capture pair.
+/// Reads a recording with truth/ from another program (resources/doc/formats.md). Its scenario.json, if there
+/// is one, marks frames in which the pose must be lost and gives the head's pose at the capture. Throws Error
+/// if there is no truth or no capture pair.
 EvaluationSequence recordedSequence(const std::filesystem::path& recording);
 
 /// The last alignment in a series of runs. Scenarios with the same seat start from the same capture, which is
@@ -53,7 +54,7 @@ struct AlignedCapture {
   std::optional<evaluation::CloudFigures> cloud;
 };
 
-/// Fills cloud, alignment and frames of `run`; its names are set before. Refusals and failures are recorded
+/// Fills cloud, alignment and frames of `run`, whose names must be set. Refusals and failures are recorded
 /// there; only Cancelled is thrown. `last` is used if the capture is the same, else replaced. `onFrame`
 /// receives the fraction done.
 void runSequence(Context& context, EvaluationSequence& sequence, const surface::ScalpSurface& scalp,

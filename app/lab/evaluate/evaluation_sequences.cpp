@@ -21,7 +21,7 @@ evaluation::FrameTruth truthOf(const room::GroundTruth& truth) {
   return frame;
 }
 
-/// The labels of frames in scenario.json. A recording without them has only normal frames.
+/// Reads the labels of frames in scenario.json. A recording without them has only normal frames.
 std::map<std::int64_t, evaluation::FrameTruth> labelsOf(const nlohmann::json& scenario) {
   std::map<std::int64_t, evaluation::FrameTruth> labels;
   for (const auto& frame : scenario.value("frames", nlohmann::json::array())) {
@@ -53,7 +53,7 @@ EvaluationSequence roomSequence(const room::ScenarioOptions& options, const Eval
   sequence.scenario = options.name;
   sequence.capture = room->capturePair();
   sequence.capture_truth = room->captureTruth();
-  const room::DepthMaps depth = room->depth();  // the room still renders the capture here
+  const room::DepthMaps depth = room->depth();  // the room still renders the capture at this point
   sequence.capture_depth = evaluation::ExactDepth{depth.left_mm, depth.right_mm, depth.left_object == 1};
   sequence.face_middle = head.patient->face_middle;
   sequence.source = room;
@@ -88,7 +88,7 @@ EvaluationSequence recordedSequence(const fs::path& folder) {
     const auto values = scenario["capture_camera_T_mri"].get<std::vector<double>>();
     sequence.capture_truth = RigidTransform<Camera, Mri>::fromMatrix(
         Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data()));
-  } else if (!head.empty()) {  // assumption: in the first frame the head is where it was at the capture
+  } else if (!head.empty()) {  // assumption: the head's pose in the first frame is that of the capture
     sequence.capture_truth = RigidTransform<Camera, Mri>::fromIsometry(head.begin()->second);
   } else {
     throw Error("holds no pose of the head", (folder / "truth/head.csv").string(),

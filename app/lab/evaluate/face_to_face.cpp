@@ -17,18 +17,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kBehind_mm = 80.0;
-constexpr double kLeast_px_per_mm = 1.0, kUsualDepth_mm = 560.0;  // as plain skin is measured
-constexpr int kCell_px = 4;  // of the mesh: some 3 mm, wide enough that none in the face stays empty
+constexpr double kLeast_px_per_mm = 1.0, kUsualDepth_mm = 560.0;  // the scale at which plain skin is measured
+constexpr int kCell_px = 4;  // mesh cell, some 3 mm: large enough that no cell in the face is empty
 constexpr double kLongestEdge_mm = 12.0;
 
-/// Axes of a head that looks at the camera: x the patient's right, y anterior, z superior; mm, at the camera.
+/// Axes of a head that looks at the camera: x to the patient's right, y anterior, z superior; mm, origin at
+/// the camera.
 RigidTransform<Mri, Camera> facing() {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() << -1, 0, 0, 0, 0, -1, 0, -1, 0;
   return RigidTransform<Mri, Camera>::fromIsometry(pose);
 }
 
-/// Mean point and normal of each cell of the left picture that holds points.
+/// Adds the mean point and normal of each cell of the left picture that contains points.
 std::map<std::pair<int, int>, int> addVertices(const stereo::FaceCloud& face, surface::TriangleMesh& mesh) {
   std::map<std::pair<int, int>, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < face.cloud.size(); ++i)
@@ -44,7 +45,7 @@ std::map<std::pair<int, int>, int> addVertices(const stereo::FaceCloud& face, su
   return vertices;
 }
 
-/// Towards the camera; none over an edge that is too long.
+/// Adds a triangle that faces the camera, unless an edge is too long.
 void addTriangle(surface::TriangleMesh& mesh, int a, int b, int c) {
   const auto at = [&](int i) { return mesh.vertices_mm[std::size_t(i)]; };
   for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}})
@@ -54,7 +55,7 @@ void addTriangle(surface::TriangleMesh& mesh, int a, int b, int c) {
   mesh.triangles.push_back({a, b, c});
 }
 
-/// The face measured from a plain pair, in place of a scan's skin, in the axes of `facing`.
+/// Measures the face from a plain pair as a replacement for a scan's skin, in the axes of `facing`.
 surface::ScalpSurface asScalp(const cameras::StereoRig& whole, const cameras::StereoFrame& frame,
                               const face::FaceDetector& detector, TaskMonitor& monitor) {
   const int times = cameras::reductionFor(whole, kUsualDepth_mm, kLeast_px_per_mm);
@@ -74,7 +75,7 @@ surface::ScalpSurface asScalp(const cameras::StereoRig& whole, const cameras::St
   return scalp;
 }
 
-/// An alignment, in the shared camera.
+/// Alignment in the shared camera.
 struct Pose {
   Eigen::Isometry3d shared_T_mri;
   registration::AlignmentResult result;
@@ -104,7 +105,7 @@ cameras::StereoFrame frameOf(const std::map<std::string, fs::path>& pictures, co
   return frame;
 }
 
-/// `at_mri_mm`: where the two are compared.
+/// Compares two poses at the point `at_mri_mm`.
 void compare(const Pose& a, const Pose& b, const Eigen::Vector3d& at_mri_mm, FaceAgreement& agreement) {
   agreement.off_mm = (a.shared_T_mri * at_mri_mm - b.shared_T_mri * at_mri_mm).norm();
   agreement.off_deg =
@@ -130,7 +131,7 @@ std::vector<FaceAgreement> alignToMeasuredFaces(Context& context, const std::vec
   for (const auto& person : people)
     for (const auto& [left, left_rig] : rigs)
       for (const auto& [right, right_rig] : rigs) {
-        if (left[1] != right[0]) continue;  // they share no camera
+        if (left[1] != right[0]) continue;  // no shared camera
         const auto pictures = picturesIn(person);
         for (const auto& [name, rig] : {std::pair{&left, &left_rig}, {&right, &right_rig}})
           for (const auto& scanned : momentsOf(pictures, (*name)[0], (*name)[1])) {

@@ -7,12 +7,12 @@
 namespace facenav::app {
 
 struct ChildMeasure {
-  // Peak: resident set, including what the parent held before.
+  // Peak: resident set, including the parent's memory at the fork.
   double wall_s = 0, processor_s = 0, peak_mib = 0;
-  std::string failure;  // empty: the task finished
+  std::string failure;  // empty if the task finished
 };
 
-/// Forks, runs `task`, waits. The task must leave its results in files. An exception becomes `failure`. Call
+/// Forks, runs `task`, waits. The task must write its results to files. An exception becomes `failure`. Call
 /// it only while no other thread runs.
 ChildMeasure measureInChild(const std::function<void()>& task);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr unsigned kPersonSeed = 1;
 
-/// The head as labelled: not turned, scaled or bent.
+/// Ranges for the head as labelled: not turned, scaled or bent.
 evaluation::SyntheticRanges asLabelled() {
   evaluation::SyntheticRanges ranges;
   ranges.turn_deg = 0, ranges.bend_mm = 0;
@@ -24,14 +24,14 @@ evaluation::SyntheticRanges ofAPerson() {
   return ranges;
 }
 
-/// Of the file's name: each head's scan has its own contrast and noise.
+/// Seed from the file's name: each head's scan has its own contrast and noise.
 unsigned scanSeedOf(const std::filesystem::path& nifti) {
   unsigned seed = 1000;
   for (const char c : nifti.stem().stem().string()) seed = 31 * seed + unsigned(c);
   return seed;
 }
 
-/// Statistics in which tissue is even, and air dark.
+/// Changes the statistics to uniform tissue and dark air.
 std::map<int, evaluation::LabelStatistics> evenTissue(std::map<int, evaluation::LabelStatistics> statistics) {
   for (auto& [label, s] : statistics) {
     s.deviation_of_means = 0, s.deviation_of_deviations = 0;

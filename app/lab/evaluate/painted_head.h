@@ -1,6 +1,7 @@
 #pragma once
-// A labelled head (modules/evaluation) as a person and as the scan of it: two paintings of the same labels,
-// so that the skin of the room and the skin that the workstation finds are of one head but share no error.
+// A labelled head (modules/lab/evaluation) as a person and as the scan of it: two paintings of the same
+// labels, so that the skin of the room and the skin that the workstation finds are of one head but share no
+// error.
 
 #include <filesystem>
 #include <optional>
@@ -10,12 +11,12 @@
 namespace facenav::app {
 
 struct PaintedHead {
-  volume::Volume person;  // even tissue, sharp, hardly any noise: what the room makes the patient of
-  volume::Volume scan;    // as a scanner shows it: contrast, blur, shading and noise drawn
+  volume::Volume person;  // uniform tissue, sharp, hardly any noise: input of the room's patient
+  volume::Volume scan;    // scan with random contrast, blur, shading and noise
 };
 
-/// Nothing where `nifti` does not lie in a folder of labelled heads (t1_intensities.csv beside it). The same
-/// file gives the same head. Throws Error: no map of labels, damaged statistics.
+/// Paints the head; the same file gives the same head. Returns nothing if `nifti` is not in a folder of
+/// labelled heads (t1_intensities.csv beside it). Throws Error: no map of labels, damaged statistics.
 std::optional<PaintedHead> paintedHead(const std::filesystem::path& nifti);
 
 }  // namespace facenav::app

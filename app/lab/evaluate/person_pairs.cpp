@@ -83,8 +83,8 @@ Frames framesOf(const fs::path& folder, const std::string& rig) {
 }
 
 struct Motion {
-  Eigen::Isometry3d motion;  // of the head, in the shared camera's axes
-  Eigen::Matrix3d turn;      // from the rig's left camera to the shared camera
+  Eigen::Isometry3d motion;  // motion of the head, in the shared camera's axes
+  Eigen::Matrix3d turn;      // rotation from the rig's left camera to the shared camera
   Eigen::Vector3d face_mm;   // current position of the tracked face, in the shared camera
   Matrix6d covariance;       // from the tracker, left camera's axes
 };

@@ -28,12 +28,12 @@ struct PairTrial {
   std::optional<head_tracking::HeadPose> pose;  // of the last tracked frame; its left camera is the rig's
 };
 
-/// The same motion measured by two pairs of cameras that share one camera, in that camera.
+/// One motion measured by two pairs of cameras that share one camera, in that camera.
 struct PairAgreement {
   std::string person, from, to, rigs;
-  double turn_deg = 0, shift_mm = 0;  // of the motion
-  double off_deg = 0, off_mm = 0;     // between the two motions, 80 mm behind the face
-  bool is_inside = false;             // within the 95 % bound of both stated covariances
+  double turn_deg = 0, shift_mm = 0;  // size of the motion
+  double off_deg = 0, off_mm = 0;     // difference between the two motions, 80 mm behind the face
+  bool is_inside = false;             // within the 95 % bound of both covariances
 };
 
 struct PairsResult {
@@ -41,13 +41,13 @@ struct PairsResult {
   std::vector<PairAgreement> agreements;
 };
 
-/// `people`: one folder each (camera_pictures.h). `rigs`: folder of the rigs. `make`: makes a tracker for
-/// each trial. Throws Error if no rig has images, Cancelled.
+/// Runs the trials. `people`: one folder each (camera_pictures.h). `rigs`: folder of the rigs. `make`: makes
+/// a tracker for each trial. Throws Error if no rig has images, Cancelled.
 PairsResult evaluatePairs(const std::vector<std::filesystem::path>& people, const std::filesystem::path& rigs,
                           const std::function<std::unique_ptr<head_tracking::HeadTracker>()>& make,
                           TaskMonitor& monitor);
 
-/// As Markdown: the goals' table, a table by moment, then every trial that failed.
+/// Formats as Markdown: the goals' table, a table by moment, then every trial that failed.
 std::string pairsTable(const PairsResult& result);
 
 }  // namespace facenav::app

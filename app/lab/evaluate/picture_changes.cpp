@@ -11,8 +11,8 @@ constexpr int kShift_px = 13,  // sideways: about the same as rotating the whole
     kCoarse = 30;              // JPEG quality
 constexpr double kDarker = 0.85;
 
-// The mirrored image of the view of `other`, as `camera` sees it after rotation by `turn` (from the mirrored
-// axes to the new ones).
+// Mirrors the view of `other` into that of `camera` after rotation by `turn` (from the mirrored axes to the
+// new ones).
 cv::Mat mirroredPicture(const cameras::CameraModel& camera, const Eigen::Matrix3d& turn,
                         const cameras::CameraModel& other, const cv::Mat& seen) {
   cv::Mat2f from(seen.size());

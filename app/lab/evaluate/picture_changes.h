@@ -10,17 +10,17 @@
 
 namespace facenav::app {
 
-/// The person mirrored left to right, as the same rig would have seen them. This gives an exact pair of a
-/// person who does not exist: nearly the same shape, but skin detail at other places. Black where nothing was
-/// seen.
+/// Mirrors the person left to right, as the same rig would have seen it. This gives an exact pair of a person
+/// who does not exist: nearly the same shape, but skin detail at other places. Pixels without a source are
+/// black.
 cameras::StereoFrame mirroredPair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame);
 
 struct ChangedPair {
   std::string change;  // "shifted by 13 px"
   cameras::StereoFrame frame;
 };
-/// The pair shifted, darkened, compressed more, and with the lower face covered. `lower_face_y`: first
-/// covered row, px of each image.
+/// Changes the pair: shifted, darkened, more compressed, lower face covered. `lower_face_y`: first covered
+/// row, px of each image.
 std::vector<ChangedPair> changedPairs(const cameras::StereoFrame& frame, int lower_face_y_left,
                                       int lower_face_y_right);
 

@@ -14,8 +14,8 @@ namespace {
 
 using measured_face::AlignedFrom;
 
-constexpr double kMoved_deg = 0.3;  // of the right camera on its mount
-/// One way to align with its pictures.
+constexpr double kMoved_deg = 0.3;  // rotation of the right camera on its mount
+/// One way to align, with its pictures.
 struct Way {
   std::string name;
   AlignedFrom from;
@@ -23,7 +23,7 @@ struct Way {
   bool has_marker = false;  // the plain picture shows the coil's marker too
 };
 
-/// What is common to all alignments of one patient.
+/// Data shared by all alignments of one patient.
 struct Sitting {
   Context& context;
   const EvaluationHead& head;
@@ -34,7 +34,7 @@ struct Sitting {
   evaluation::RunRecord names;
   evaluation::ExactDepth depth;
   cv::Mat visible;
-  cameras::StereoFrame with_coil;  // at the same moment, on the target
+  cameras::StereoFrame with_coil;  // same moment, coil on the target
   coil_tracking::CoilModel coil;
   std::unique_ptr<coil_tracking::CoilTracker> coil_tracker;
 
@@ -48,14 +48,14 @@ struct Sitting {
 
 using Align = std::function<steps::AlignmentOutcome()>;
 
-/// camera_T_marker as the tracker shows it with these cameras; where it withholds the pose, as it measured it
+/// camera_T_marker as the tracker gives it with these cameras. If it withholds the pose, the measured one
 /// (second: true).
 std::optional<std::pair<Eigen::Isometry3d, bool>> measuredCoil(const Sitting& sitting,
                                                                const cameras::StereoRig& rig) {
   sitting.coil_tracker->start(rig, sitting.coil);
   cameras::StereoFrame frame = sitting.with_coil;
   sitting.coil_tracker->track(frame, {});
-  frame.captured.s += 0.1;  // a still pair counts as two frames
+  frame.captured.s += 0.1;  // a pair at rest counts as two frames
   const auto coil = sitting.coil_tracker->track(frame, {});
   if (coil) return std::pair{coil->camera_T_marker.isometry(), false};
   if (!coil.observation) return std::nullopt;
@@ -69,7 +69,7 @@ std::optional<std::pair<Eigen::Isometry3d, bool>> measuredCoil(const Sitting& si
   return std::pair{fitRigidPoints(print_mm, seen_mm).to_T_from, true};
 }
 
-/// Where the target is under the coil, as shown and in truth: their distance.
+/// Records the distance between the shown and the true target under the coil.
 void noteCoil(const Sitting& sitting, const cameras::StereoRig& rig,
               const registration::AlignmentResult& result, evaluation::AlignmentRecord& record) {
   const auto measured = measuredCoil(sitting, rig);
@@ -117,7 +117,7 @@ evaluation::RunRecord recordOf(const Sitting& sitting, const std::string& from, 
   return run;
 }
 
-/// The picture with the coil as the window takes it; where it takes none, the first.
+/// Picture with the coil that automatic capture takes; the first one if it takes none.
 cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& methods) {
   constexpr int kMostPictures = 12;
   constexpr double kFrames_per_s = 30.0;
@@ -133,7 +133,7 @@ cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& method
   return room.captureWithCoil();
 }
 
-/// The scan with left and right exchanged.
+/// Exchanges left and right of the scan.
 surface::ScalpSurface mirrored(surface::ScalpSurface scalp) {
   for (auto& p : scalp.mesh.vertices_mm) p.x() = -p.x();
   for (auto& n : scalp.mesh.normals) n.x() = -n.x();
@@ -143,7 +143,7 @@ surface::ScalpSurface mirrored(surface::ScalpSurface scalp) {
   return scalp;
 }
 
-/// The calibration from before the right camera was turned, about an axis that the seed draws.
+/// The calibration before the right camera was rotated about an axis drawn from the seed.
 cameras::StereoRig beforeAKnock(cameras::StereoRig rig, std::uint64_t seed) {
   std::mt19937_64 random(seed * 977 + 5);
   std::normal_distribution<double> normal;
@@ -154,7 +154,7 @@ cameras::StereoRig beforeAKnock(cameras::StereoRig rig, std::uint64_t seed) {
   return rig;
 }
 
-/// The calibration from before the right camera turned about its vertical axis, which no match shows.
+/// The calibration before the right camera was rotated about its vertical axis, which matches cannot show.
 cameras::StereoRig beforeATurn(cameras::StereoRig rig, double turn_deg) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   turn.linear() = expRotation(-turn_deg * kRadPerDeg * Eigen::Vector3d::UnitY());
@@ -162,7 +162,7 @@ cameras::StereoRig beforeATurn(cameras::StereoRig rig, double turn_deg) {
   return rig;
 }
 
-/// Each must be refused, corrected, or lie inside its stated bound.
+/// Adds runs with a rotated camera. Each must be refused, corrected, or lie inside its bound.
 void addTurned(const Sitting& sitting, const std::vector<Way>& ways,
                std::vector<evaluation::RunRecord>& runs) {
   const double sign = sitting.names.seed % 2 ? 1.0 : -1.0;
@@ -219,7 +219,7 @@ std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::S
       plain{dense.plain, dense.plain};
   sitting.coil = coilOf(room.coil());
   sitting.with_coil = takenByItself(sitting, methods);
-  room.captureWith(std::nullopt);  // the room's depth is that of the last picture
+  room.captureWith(std::nullopt);  // because the room's depth is that of the last picture
   const room::DepthMaps depth = room.depth();
   sitting.depth = {depth.left_mm, depth.right_mm, depth.left_object == 1};
   sitting.visible =

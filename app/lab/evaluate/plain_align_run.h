@@ -1,8 +1,8 @@
 #pragma once
 // The scenario plain_align of `facenav evaluate`: one seated patient, aligned from dense dots, the paper's
 // sparse dots, the plain pair and a film in which the head turns; and plain pairs that must be refused:
-// another person's scan, a mirrored scan, cameras that moved. With a right camera that turned about its
-// vertical axis, each alignment must be refused, corrected or inside its bound. One RunRecord each.
+// another person's scan, a mirrored scan, moved cameras. If the right camera was rotated about its vertical
+// axis, each alignment must be refused, corrected or inside its bound. One RunRecord each.
 
 #include <functional>
 #include <vector>
@@ -15,11 +15,11 @@
 
 namespace facenav::app {
 
-/// What is tried: everything, or only what must succeed.
+/// Which alignments to try: all, or only those that must succeed.
 enum class AlignTries { all, right };
 
-/// `names`: scenario, head, rig and seed, copied into each record. `other`: a scan of another person, if
-/// there is one. Refusals are recorded; only Cancelled is thrown.
+/// Runs the alignments. `names`: scenario, head, rig and seed, copied into each record. `other`: a scan of
+/// another person, if there is one. Refusals are recorded; only Cancelled is thrown.
 std::vector<evaluation::RunRecord> runPlainAlign(Context& context, const room::ScenarioOptions& options,
                                                  const EvaluationHead& head,
                                                  const surface::ScalpSurface* other, const Methods& methods,

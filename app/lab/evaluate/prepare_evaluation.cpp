@@ -71,7 +71,7 @@ MaskRow wholePrepare(Context& context, const PrepareTrial& trial, const std::opt
   return row;
 }
 
-/// From child to parent process, in the machine's binary format.
+/// Writes the doubts for the parent process, in the machine's binary format.
 void writeDoubts(const std::vector<segmentation::BoundaryDoubt>& doubts, const fs::path& file) {
   std::ofstream stream(file, std::ios::binary);
   for (const auto& d : doubts) {
@@ -118,9 +118,9 @@ struct Judged {
   std::string contrast;
 };
 
-/// Places where a method stated its uncertainty, with their real errors. The error is the distance to the
-/// true surface if the truth is a tissue mask (a mask with fluid has another surface); for a perturbation, it
-/// is the distance to the unperturbed mask.
+/// Places where a method gave its uncertainty, with their real errors. The error is the distance to the true
+/// surface if the truth is a tissue mask (a mask with fluid has another surface); for a perturbation, it is
+/// the distance to the unperturbed mask.
 class Doubts {
  public:
   explicit Doubts(const Judged& of) : of_(of), unmoved_(of.unmoved) {
@@ -190,7 +190,7 @@ void addPerturbations(Context& context, const PrepareEvaluation& request, const 
 PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request) {
   PrepareTables tables;
   std::vector<std::optional<Mask>> truths;
-  // Report a bad file before the long work.
+  // Reports a bad file before the long work.
   for (const auto& trial : request.trials) truths.push_back(truthOf(trial));
   for (std::size_t t = 0; t < request.trials.size(); ++t) {
     const auto& trial = request.trials[t];

@@ -33,10 +33,11 @@ struct PrepareEvaluation {
 struct PrepareTables {
   std::vector<evaluation::MaskRow> masks;
   std::vector<evaluation::PerturbationRow> perturbations;
-  std::vector<evaluation::ReliabilityRow> reliability;  // for methods that state their uncertainty
+  std::vector<evaluation::ReliabilityRow> reliability;  // for methods that give their uncertainty
 };
 
-/// If a method fails on a volume, its row says so. Throws Error: a mask that cannot be read; Cancelled.
+/// Evaluates all methods. If one fails on a volume, its row says so. Throws Error: a mask that cannot be
+/// read; Cancelled.
 PrepareTables evaluatePrepare(Context& context, const PrepareEvaluation& request);
 
 }  // namespace facenav::app

@@ -15,9 +15,9 @@ namespace {
 using measured_face::AlignedFrom;
 
 constexpr const char* kFirstVisit = "first visit";
-constexpr double kSideways_deg[] = {0.05, 0.1};  // turns of the right camera that no match shows
+constexpr double kSideways_deg[] = {0.05, 0.1};  // rotations of the right camera that matches cannot show
 
-/// The first visit with a projector: the expert holds the coil at the target.
+/// Models of the first visit with a projector: the expert holds the coil at the target.
 std::vector<ReturnModel> dottedModels(const ReturnBench& bench, const EvaluationHead& head,
                                       std::uint64_t seed, int frames,
                                       RigidTransform<Mri, Coil>& true_expert) {
@@ -42,7 +42,7 @@ std::vector<ReturnModel> dottedModels(const ReturnBench& bench, const Evaluation
   if (seen.measured.empty()) throw Error("the first visit saw no coil", head.name);
   const auto expert = medianPose(seen.measured);
   true_expert = medianPose(seen.truth);
-  const auto own_T_mri = alone.camera_T_mri.inverse() * camera_T_mri;  // both name their frame Mri
+  const auto own_T_mri = alone.camera_T_mri.inverse() * camera_T_mri;  // both frames are called Mri
   return {{"MRI", head.scalp, expert},
           {"face in the MRI's frame", in_mri.skin, expert},
           {"face alone", alone.skin, own_T_mri * expert},
@@ -50,7 +50,7 @@ std::vector<ReturnModel> dottedModels(const ReturnBench& bench, const Evaluation
            VisitPictures::plain_with_marker}};
 }
 
-/// The first visit without a projector, with the marker in its pictures.
+/// First visit without a projector, with the marker in its pictures.
 struct PlainVisit {
   std::unique_ptr<room::SyntheticSource> room, film;
   cameras::StereoRig rig;
@@ -83,7 +83,7 @@ steps::FaceModel filmedFace(const ReturnBench& bench, PlainVisit& visit) {
                                  visit.alone, bench.context.monitor);
 }
 
-/// Runs `task`; a refusal is a run, too.
+/// Runs `task`; records a refusal as a run, too.
 void orRefused(const std::string& head, const std::string& model, const std::string& change,
                std::uint64_t seed, std::vector<ReturnRun>& runs, const std::function<void()>& task) {
   try {
@@ -98,8 +98,8 @@ void orRefused(const std::string& head, const std::string& model, const std::str
   }
 }
 
-/// Each model's expert pose is that of a session that was aligned to it from the plain pair. Faces that are
-/// not measured go into `refused`.
+/// Models of first visits without a projector. Each model's expert pose is that of a session aligned to it
+/// from the plain pair. Faces that are not measured go into `refused`.
 std::vector<ReturnModel> plainModels(const ReturnBench& bench, const EvaluationHead& head, std::uint64_t seed,
                                      int frames, Knock knock, RigidTransform<Mri, Coil>& true_expert,
                                      std::vector<ReturnRun>& refused) {
@@ -141,7 +141,8 @@ std::vector<ReturnModel> plainModels(const ReturnBench& bench, const EvaluationH
   return models;
 }
 
-/// The first visit's right camera had turned sideways unnoticed; the later one is calibrated anew.
+/// Runs visits after a first one whose right camera had rotated sideways unnoticed; the later one is
+/// calibrated anew.
 void runTurned(const ReturnBench& bench, const EvaluationHead& head, std::uint64_t seed, int frames,
                double sideways_deg, std::vector<ReturnRun>& runs) {
   const std::string words =

@@ -1,4 +1,4 @@
-// What `facenav evaluate return` prints and writes.
+// Output of `facenav evaluate return`.
 
 #include <algorithm>
 #include <map>

@@ -12,8 +12,8 @@
 namespace facenav::app {
 namespace {
 
-constexpr double kKnocked_deg = 0.3;   // of the right camera on its mount
-constexpr double kKnownDepth_mm = 25;  // of the cortex below the coil, where no MRI says it
+constexpr double kKnocked_deg = 0.3;   // rotation of the right camera on its mount
+constexpr double kKnownDepth_mm = 25;  // depth of the cortex below the coil if there is no MRI
 // Skin and pictures as in the scenario plain_align.
 constexpr double kFaintSkin = 0.3, kDullGloss = 0.3;
 constexpr int kWebcamJpeg = 75;
@@ -23,12 +23,12 @@ std::optional<RigidTransform<Mri, Coil>> trueCoil(const room::GroundTruth& truth
   return truth.camera_T_mri.inverse() * *truth.camera_T_coil;
 }
 
-/// Later frames, medians over them.
+/// Measures the return error: medians over the later frames.
 void measureReturn(const Seen& seen, const RigidTransform<Mri, Coil>& expert,
                    const RigidTransform<Mri, Coil>& true_expert, ReturnRun& run) {
   std::vector<double> mm, deg;
   for (std::size_t i = 0; i < seen.measured.size(); ++i) {
-    // Where the coil truly is when it reads as the expert's pose, with this frame's errors of head and coil.
+    // True coil pose when it is measured at the expert's pose, with this frame's errors of head and coil.
     const auto truth = seen.truth[i] * seen.measured[i].inverse() * expert;
     const auto error = poseError(true_expert, truth);
     mm.push_back(error.translation_mm), deg.push_back(error.rotation_rad * kDegPerRad);

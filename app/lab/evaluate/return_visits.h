@@ -1,6 +1,6 @@
 #pragma once
-// Visits of the virtual room for `facenav evaluate return`: how one is aligned, what it sees of the coil, and
-// how far that coil is from where the expert held it.
+// Visits of the virtual room for `facenav evaluate return`: how one is aligned, its measured coil poses, and
+// their distance from where the expert held the coil.
 
 #include <memory>
 #include <string>
@@ -13,13 +13,13 @@
 
 namespace facenav::app {
 
-/// A visit that differs from the first.
+/// Differences of a visit from the first.
 struct Change {
   const char* words;
   room::ScenarioOptions options;
 };
 
-/// How the later visits are aligned: from dense dots, or from one plain picture with the coil's marker in it.
+/// Pictures that the later visits are aligned from: dense dots, or one plain picture with the coil's marker.
 enum class VisitPictures { dots, plain_with_marker };
 
 room::ScenarioOptions firstVisit(std::uint64_t seed, int frames, VisitPictures pictures);
@@ -27,7 +27,7 @@ std::vector<Change> laterVisits(std::uint64_t seed, int frames, VisitPictures pi
 
 using CoilPoses = std::vector<RigidTransform<Mri, Coil>>;
 
-/// What a visit saw: the coil as measured and as it truly was, in step.
+/// Measured and true coil poses of a visit, at the same frames.
 struct Seen {
   CoilPoses measured, truth;
 };
@@ -39,7 +39,7 @@ struct ReturnModel {
   std::string name;
   surface::ScalpSurface skin;
   RigidTransform<Mri, Coil> expert;
-  VisitPictures pictures = VisitPictures::dots;  // of the later visits
+  VisitPictures pictures = VisitPictures::dots;  // pictures of the later visits
 };
 
 struct ReturnBench {
@@ -48,25 +48,25 @@ struct ReturnBench {
   std::shared_ptr<const face::FaceDetector> detector;
   std::unique_ptr<coil_tracking::CoilTracker> marker_finder;
 
-  /// The pictures of a visit that it is aligned from.
+  /// Takes the pictures that a visit is aligned from.
   static capture::CapturePair capture(room::SyntheticSource& room, VisitPictures pictures);
-  /// `expert`: where the error is stated.
+  /// Aligns; `expert`: where the error is evaluated.
   steps::AlignmentOutcome align(const cameras::StereoRig& rig, const room::SyntheticSource& room,
                                 const capture::CapturePair& pair, VisitPictures pictures,
                                 const surface::ScalpSurface& skin,
                                 const RigidTransform<Mri, Coil>& expert) const;
-  /// The frames after `least_share` of the room's film.
+  /// Tracks the frames after `least_share` of the room's film.
   Seen follow(room::SyntheticSource& room, const cameras::StereoRig& rig,
               const steps::AlignmentOutcome& alignment, double least_share) const;
 };
 
-/// What nobody knows of the right camera: whether it turned since the calibration. A turn about its vertical
-/// axis (`sideways_deg`) shows in no match.
+/// Unnoticed rotation of the right camera since the calibration. One about its vertical axis (`sideways_deg`)
+/// does not show in matches.
 struct Knock {
-  bool is_any_axis = false;  // by 0.3 deg, about an axis that the seed draws
+  bool is_any_axis = false;  // rotated by 0.3 deg about an axis drawn from the seed
   double sideways_deg = 0.0;
 };
-/// The calibration from before the knock.
+/// The calibration before the rotation.
 cameras::StereoRig beforeKnock(cameras::StereoRig rig, std::uint64_t seed, Knock knock);
 
 ReturnRun visitAgain(const ReturnBench& bench, const ReturnModel& model, const EvaluationHead& person,

@@ -18,7 +18,7 @@ namespace {
 using health::RigState;
 using Matches = std::vector<health::Correspondence>;
 
-/// Each pair of pictures is matched once, whatever calibrations it is tried with: as diagnosePair does.
+/// Pairs of pictures, each matched once for all calibrations, as in diagnosePair.
 class MatchedPictures {
  public:
   explicit MatchedPictures(const std::map<std::string, fs::path>& files) : files_(files) {}

@@ -19,12 +19,12 @@ struct RigFaultRow {
   health::PairDiagnosis said;
 };
 
-/// `pictures`: files <camera>_<moment>.jpg|png, cameras named by one letter; `rigs`: <a><b>_stereo.yml.
-/// Throws Error where no rig finds pictures of both its cameras, Cancelled.
+/// Runs the tests. `pictures`: files <camera>_<moment>.jpg|png, cameras named by one letter; `rigs`:
+/// <a><b>_stereo.yml. Throws Error if no rig has pictures of both its cameras, Cancelled.
 std::vector<RigFaultRow> rigFaults(const std::filesystem::path& pictures, const std::filesystem::path& rigs,
                                    TaskMonitor& monitor);
 
-/// Per kind: tried, named rightly, not named, named wrongly; then every row that is not right.
+/// Table per kind: tried, named correctly, not named, named wrongly; then every wrong row.
 std::string sidesTable(const std::vector<RigFaultRow>& rows);
 
 }  // namespace facenav::app

@@ -1,5 +1,5 @@
 #pragma once
-// A folder for what one trial of an evaluation leaves, removed at its end.
+// Folder for the files of one trial of an evaluation, removed at its end.
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace facenav::app {
 
 class ScratchFolder {
  public:
-  /// Throws Error where no temporary folder can be made.
+  /// Throws Error if no temporary folder can be made.
   ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "facenav_evaluate_XXXXXX").string();
     if (!::mkdtemp(name.data()))

@@ -16,8 +16,8 @@ namespace facenav::app {
 namespace {
 
 constexpr double kContact_mm = 8;     // skin this near to a pad is in contact
-constexpr double kBelowTop_mm = 170;  // the neck further down is no place for coil or face
-constexpr double kFromEnd_mm = 8;     // of the scan
+constexpr double kBelowTop_mm = 170;  // the neck further down matters neither for the coil nor for the face
+constexpr double kFromEnd_mm = 8;     // distance from the end of the scan
 
 struct Skin {
   volume::Mask head;
@@ -35,7 +35,7 @@ Skin skinOf(Context& context, const volume::Volume& scan) {
   return skin;
 }
 
-/// Far enough from the scan's ends, above the neck.
+/// Returns true for a point far enough from the scan's ends and above the neck.
 bool isJudged(const volume::VoxelGrid& grid, const Eigen::Vector3d& p_mm, double top_mm) {
   if (p_mm.z() < top_mm - kBelowTop_mm) return false;
   const Eigen::Vector3d at = grid.toVoxel(Point<Mri>(p_mm)), spacing = grid.spacing_mm();

@@ -1,5 +1,5 @@
 #pragma once
-// `facenav evaluate skin`: how far the skin of a scan moves when a scanner's shading, a bright nose, a halo,
+// `facenav evaluate skin`: displacement of a scan's skin when a scanner's shading, a bright nose, a halo,
 // pads or earphones are added (evaluation/skin_additions.h).
 
 #include <filesystem>
@@ -20,14 +20,14 @@ struct SkinEvaluation {
 
 struct SkinRow {
   std::string volume, addition;
-  surface::SurfaceDistance beyond, contact;  // of skin further than 8 mm from pads; of the skin near them
-  double contact_share = 0;                  // of the skin
-  double doubt_mm = 0;                       // stated, root mean square, where the skin is in contact
-  double contact_rms_mm = 0;                 // and how far it moved there
-  std::string left_out;                      // the findings, in words
+  surface::SurfaceDistance beyond, contact;  // skin further than 8 mm from pads; skin near them
+  double contact_share = 0;                  // share of the skin
+  double doubt_mm = 0;                       // given uncertainty, root mean square, of skin in contact
+  double contact_rms_mm = 0;                 // its real displacement
+  std::string left_out;                      // findings of the preparation, in words
 };
 
-/// Throws Error: a volume that cannot be read, no head in it.
+/// Evaluates the skin. Throws Error: a volume that cannot be read, no head in it.
 std::vector<SkinRow> evaluateSkin(Context& context, const SkinEvaluation& request);
 std::string skinMarkdown(const std::vector<SkinRow>& rows);
 

@@ -19,7 +19,7 @@ fs::path labelsFolder(const SyntheticPrepare& synthetic) {
 
 std::string nameOf(const fs::path& nifti) { return nifti.stem().stem().string(); }
 
-/// Those of the folder that were asked for.
+/// Returns the requested heads of the folder.
 std::vector<fs::path> chosenHeads(const fs::path& folder, const std::vector<std::string>& names) {
   const auto all = evaluation::labelledHeads(folder);
   if (names.empty()) return all;
@@ -58,7 +58,7 @@ PrepareTables evaluateSynthetic(Context& context, const SyntheticPrepare& synthe
     const std::string name =
         "head_" + nameOf(labels) + "_" + synthetic.contrast + "_seed_" + std::to_string(request.seed);
     const fs::path scan = scratch.path() / (name + ".nii.gz"), tissue = scratch.path() / "tissue.nii.gz";
-    {  // gone before a child is forked, whose memory would count it
+    {  // freed before a child is forked, whose memory would include it
       const auto made = evaluation::makeSyntheticHead(evaluation::readLabelledHead(labels), statistics,
                                                       contrast, request.seed);
       volume::writeNifti(made.scan, scan);

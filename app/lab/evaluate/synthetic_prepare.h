@@ -1,6 +1,6 @@
 #pragma once
-// `facenav evaluate prepare --synthetic N`: brain masks of heads made afresh from labelled ones (shared
-// data), where the truth is exact. Head n of seed s is the same in every run.
+// `facenav evaluate prepare --synthetic N`: brain masks of heads generated from labelled ones (shared data),
+// where the truth is exact. Head n of seed s is the same in every run.
 
 #include "evaluate/prepare_evaluation.h"
 
@@ -14,8 +14,9 @@ struct SyntheticPrepare {
   std::string contrast = "t1";     // or "any"
 };
 
-/// `request` without its trials: methods, perturbations and the first seed are its own; `facenav prepare` as
-/// a whole is not run. Throws Error: no labelled heads in the folder, none of that name, Cancelled.
+/// Evaluates methods on generated heads. `request`: methods, perturbations and the first seed; its trials are
+/// not used, and `facenav prepare` as a whole is not run. Throws Error: no labelled heads in the folder, none
+/// of that name, Cancelled.
 PrepareTables evaluateSynthetic(Context& context, const SyntheticPrepare& synthetic,
                                 PrepareEvaluation request);
 

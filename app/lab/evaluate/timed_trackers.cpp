@@ -9,7 +9,7 @@
 namespace facenav::app {
 namespace {
 
-/// Measures the processor time of a scope, and limits it to one thread, OpenCV's loops included.
+/// Measures the processor time of a scope, and limits it to one thread, including OpenCV's loops.
 class OneThreadClock {
  public:
   explicit OneThreadClock(LastCall& last) : last_(last), threads_(cv::getNumThreads()) {
@@ -44,7 +44,7 @@ class TimedHeadTracker : public head_tracking::HeadTracker {
       const OneThreadClock clock(last_);
       return tracker_->track(frame, context);
     }();
-    last_.ms = std::max(0.0, last_.ms - result.beside_ms);  // live, this runs on other threads
+    last_.ms = std::max(0.0, last_.ms - result.beside_ms);  // in a live session this runs on other threads
     return result;
   }
 

@@ -36,7 +36,7 @@ bool isAtSilhouette(const cv::Mat& depth_mm, int x, int y) {
   return false;
 }
 
-/// True if the right camera sees the point too: its depth map has the same distance there.
+/// Returns true if the right camera sees the point too: its depth map has the same distance there.
 bool isSeenOnTheRight(const cameras::StereoRig& rig, const cv::Mat& right_mm,
                       const Eigen::Vector3d& p_camera) {
   const Eigen::Vector3d p = (rig.right_T_left * Point<Camera>(p_camera)).mm;
@@ -78,7 +78,7 @@ struct PatchMean {
   int points = 0;
 };
 
-/// Means over cubes of the smallest lag that hold at least 5 points.
+/// Means over cubes of the smallest lag that contain at least 5 points.
 std::vector<PatchMean> patchMeans(const std::vector<PointError>& errors) {
   constexpr int kFewest = 5;
   std::map<std::array<int, 3>, PatchMean> cubes;

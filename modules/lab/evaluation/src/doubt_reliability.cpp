@@ -23,7 +23,7 @@ double shareCertain(const std::vector<DoubtedPlace>& places, Value DoubtedPlace:
   return places.empty() ? 0 : double(certain) / double(places.size());
 }
 
-/// (from, to]; 0 is in the first.
+/// Returns true if the value is in (from, to]; 0 is in the first bin.
 bool isWithin(double value_mm, const ReliabilityBin& bin) {
   return (value_mm > bin.from_mm || bin.from_mm == 0) && value_mm <= bin.to_mm;
 }
@@ -34,7 +34,7 @@ std::size_t placesOf(const ReliabilityRow& row) {
   return places;
 }
 
-/// Puts the points of `more` to those of `sum`.
+/// Adds the points of `more` to those of `sum`.
 void addPoints(const ReliabilityRow& more, ReliabilityRow& sum) {
   const double before = double(placesOf(sum)), added = double(placesOf(more));
   if (added == 0) return;
@@ -131,7 +131,7 @@ std::vector<ReliabilityRow> pooledReliability(const std::vector<ReliabilityRow>&
     ReliabilityRow sum;
     int scans = 0;
   };
-  std::map<std::pair<std::string, std::string>, Group> groups;  // contrast "": all of the method
+  std::map<std::pair<std::string, std::string>, Group> groups;  // contrast "": all scans of the method
   const auto add = [&](const ReliabilityRow& row, const std::string& contrast) {
     Group& group = groups[{row.method, contrast}];
     if (group.scans++ == 0) group.sum = reliabilityRow({}, row.method, row.against, {});

@@ -22,7 +22,7 @@ bool isWrong(const std::optional<ErrorAt>& error) {
 void addHead(const RunRecord& run, const FrameRecord& frame, FrameErrors& errors) {
   if (!frame.head_motion) return;
   if (!frame.truth.head) {
-    errors.is_head_wrong = true;  // someone or something else is tracked as the patient
+    errors.is_head_wrong = true;  // another person or object is tracked as the patient
     return;
   }
   errors.motion = between(*frame.head_motion * run.true_reference, *frame.truth.head, run.target_mm);
@@ -44,7 +44,7 @@ void addCoil(const FrameRecord& frame, FrameErrors& errors) {
   errors.is_coil_wrong = !frame.truth.marker || isWrong(errors.coil);
 }
 
-/// The cortical target, carried along with the coil, in the head's frame.
+/// Error of the cortical target, carried along with the coil, in the head's frame.
 ErrorAt ofCoilInHead(const RunRecord& run, const FrameRecord& frame, const Eigen::Isometry3d& head_T_mri) {
   const Eigen::Isometry3d true_mri_T_coil =
       frame.truth.head->inverse() * *frame.truth.marker * run.marker_T_coil;

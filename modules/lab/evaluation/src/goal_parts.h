@@ -1,5 +1,5 @@
 #pragma once
-// What the goals of all topics share: runs with the errors of their frames, and the parts of a row.
+// Parts shared by the goals of all topics: runs with the errors of their frames, and the parts of a row.
 
 #include <functional>
 #include <set>
@@ -17,13 +17,13 @@ struct Measured {
   std::vector<FrameErrors> frames;
 };
 
-/// "12 runs, 480 frames".
+/// Formats "12 runs, 480 frames".
 std::string basis(int runs, std::size_t frames);
 Verdict verdictOf(bool is_met, bool is_measured);
 
 using Scenarios = std::set<std::string>;
 
-/// The errors of one kind, over all frames of some scenarios that `takes` selects.
+/// Errors of one kind, over all frames of some scenarios that `takes` selects.
 struct Pool {
   std::vector<double> mm, deg;
   int runs = 0;
@@ -32,10 +32,11 @@ Pool pool(const std::vector<Measured>& all, const Scenarios& scenarios,
           std::optional<ErrorAt> FrameErrors::*which,
           const std::function<bool(const RunRecord&, const FrameErrors&)>& takes = {});
 
-// The rows of one topic each, added to `rows`.
+// Functions that add the rows of one topic each to `rows`.
 void addAlignmentGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows);
 void addTrackingGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows);
-void addCameraGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows);  // as sensors are
+void addCameraGoals(const std::vector<Measured>& all,
+                    std::vector<GoalRow>& rows);  // cameras with real faults
 void addLossGoals(const std::vector<Measured>& all, std::vector<GoalRow>& rows);
 
 }  // namespace facenav::evaluation

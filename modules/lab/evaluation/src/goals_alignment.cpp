@@ -9,7 +9,7 @@
 namespace facenav::evaluation {
 namespace {
 
-/// Their capture is also a coarse JPEG, but the goal of the face cloud is for cameras without compression.
+/// Scenarios whose capture is a coarse JPEG; the goal of the face cloud is for cameras without compression.
 const Scenarios& compressedScenarios() {
   static const Scenarios names{"grimace",     "grimace_other", "returns",
                                "out_of_step", "moments",       "moments_other"};
@@ -35,7 +35,7 @@ GoalRow cloudGoal(const std::vector<Measured>& all) {
 
 struct AlignmentErrors {
   std::vector<double> mm, deg;
-  // What is shown is the coil's error: of a coil held on the target, where that was tried, else of the place.
+  // The shown error is that of a coil on the target if that was tried, else that of the point.
   std::vector<double> shown_mm, bound_mm;
   int inside = 0, refused = 0;
 };
@@ -86,7 +86,7 @@ GoalRow boundGoal(const std::vector<Measured>& all, const std::string& from) {
           verdictOf(share >= 95.0, !errors.mm.empty()), formatted("%zu captures", errors.mm.size())};
 }
 
-/// A camera that turned about its vertical axis leaves every match on its epipolar line.
+/// Goal for a camera rotated about its vertical axis, which leaves every match on its epipolar line.
 GoalRow turnedGoal(const std::vector<Measured>& all) {
   const auto errors = alignmentErrors(
       all, [](const RunRecord& run) { return run.from.find("turned sideways") != std::string::npos; });
@@ -99,7 +99,7 @@ GoalRow turnedGoal(const std::vector<Measured>& all) {
           formatted("%d attempts", accepted + errors.refused)};
 }
 
-/// One patient aligned in several ways: errors and bound of each, and what must be refused.
+/// Adds rows for one patient aligned in several ways: errors and bound of each, and what must be refused.
 void addWays(const std::vector<Measured>& all, std::vector<GoalRow>& rows) {
   int tried = 0, accepted = 0;
   for (const Measured& one : all) {

@@ -8,8 +8,8 @@
 namespace facenav::evaluation {
 namespace {
 
-/// Time (s) from a turn of 0.05 deg to the frame that says so; 0: it was said before. Nothing: it was not
-/// said, or the camera did not turn so far.
+/// Time (s) from a rotation of 0.05 deg to the frame that reports it; 0 if it was reported before. Nothing if
+/// it was not reported, or the camera did not rotate so far.
 std::optional<double> lateBy_s(const RunRecord& run) {
   constexpr double kSeen_deg = 0.05;
   const auto noticed = cameraNoticedAt(run);
@@ -19,7 +19,7 @@ std::optional<double> lateBy_s(const RunRecord& run) {
   return std::nullopt;
 }
 
-/// A camera that turns or shifts on its mount during the session.
+/// Goal for a camera that turns or shifts on its mount during the session.
 GoalRow driftGoal(const std::vector<Measured>& all) {
   int runs = 0, unnoticed = 0;
   std::size_t wrong = 0, frames = 0;
@@ -45,7 +45,7 @@ GoalRow driftGoal(const std::vector<Measured>& all) {
       basis(runs, frames)};
 }
 
-/// Two ordinary USB cameras: what a seated patient and a coil must be followed with.
+/// Goal for two ordinary USB cameras: tracking of a seated patient and a coil.
 GoalRow webcamGoal(const std::vector<Measured>& all, const std::string& scenario) {
   const Pool motion = pool(all, {scenario}, &FrameErrors::motion),
              head = pool(all, {scenario}, &FrameErrors::head),

@@ -37,7 +37,7 @@ std::pair<int, LabelStatistics> rowOf(const std::string& line, const fs::path& c
   const auto number = [&](std::size_t from_end) { return std::stod(cells[cells.size() - from_end]); };
   try {
     return {std::stoi(cells[0]), {int(number(5)), number(4), number(3), number(2), number(1)}};
-  } catch (const std::logic_error&) {  // of stoi and stod
+  } catch (const std::logic_error&) {  // from stoi and stod
     notStatistics(csv);
   }
 }

@@ -5,7 +5,7 @@
 
 namespace facenav::evaluation {
 
-/// A bar is escaped and a line break becomes a blank, so that the row keeps its columns.
+/// Escapes a bar and replaces a line break by a blank, so that the row keeps its columns.
 inline std::string markdownCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {

@@ -35,7 +35,7 @@ Mask cropped(const Mask& mask, const volume::VoxelGrid& grid, int rim) {
   return out;
 }
 
-/// From the surface voxels of `from` to the nearest ones of `to`, mm.
+/// Distances from the surface voxels of `from` to the nearest ones of `to`, mm.
 std::vector<double> distances_mm(const Mask& from, const Mask& to) {
   const auto nearest = volume::distanceTo(to);
   std::vector<double> distances;

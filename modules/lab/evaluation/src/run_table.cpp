@@ -40,7 +40,7 @@ void addAlignment(const RunRecord& run, Figures& figures) {
   figures.push_back({"alignment_measure_ms", has ? a.measure_ms : kNone});
 }
 
-/// rms, p95 and max of the distances, rms of the angles.
+/// Adds rms, p95 and max of the distances, rms of the angles.
 void addErrors(const std::string& name, const std::vector<FrameErrors>& frames,
                std::optional<ErrorAt> FrameErrors::*which, Figures& figures) {
   std::vector<double> mm, deg;
@@ -98,7 +98,7 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
-/// A scenario's name is written plainly. A recording may be named otherwise, by its folder.
+/// Quotes a text if needed: a recording is named by its folder, a scenario's name is plain.
 std::string quotedIfNeeded(const std::string& text) {
   return text.find_first_of(",\"\n") == std::string::npos ? text : quoted(text);
 }

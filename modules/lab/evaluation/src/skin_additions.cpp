@@ -20,8 +20,8 @@ using volume::Volume;
 
 constexpr double kHaloFull_mm = 3.5, kHaloEnd_mm = 6;
 constexpr double kNoseReach_mm = 30;
-constexpr float kExact_mm = 4;    // this near to the skin, distances are exact
-constexpr double kBlur_mm = 0.6;  // of scans of 1 mm
+constexpr float kExact_mm = 4;    // distance to the skin up to which distances are exact
+constexpr double kBlur_mm = 0.6;  // blur of scans of 1 mm
 
 /// Calls visit(index, place) for every voxel.
 template <class Visit>
@@ -32,7 +32,7 @@ void forPlaces(const volume::VoxelGrid& grid, Visit&& visit) {
       for (int i = 0; i < grid.size[0]; ++i, ++v) visit(v, grid.toMri({double(i), double(j), double(k)}).mm);
 }
 
-/// The head's extent above the ears, and its nose.
+/// Extent of the head above the ears, and its nose.
 struct HeadExtent {
   double top_mm = -1e9;
   Vector3d low_mm = Vector3d::Constant(1e9), high_mm = Vector3d::Constant(-1e9), nose_mm{0, -1e9, 0};
@@ -55,7 +55,7 @@ struct HeadExtent {
   double halfWidth_mm() const { return 0.5 * (high_mm.x() - low_mm.x()); }
 };
 
-/// A sum of waves, about normal, over lengths of some 20 mm.
+/// Sum of waves with lengths of some 20 mm, distributed about normally.
 class Texture {
  public:
   explicit Texture(std::mt19937& random) {
@@ -90,7 +90,7 @@ bool isInPadBeside(const HeadExtent& head, const Vector3d& p) {
          p.z() < head.top_mm - 40 && p.z() > head.top_mm - 110;
 }
 
-/// A cup over each ear: a rim and a plate, hollow.
+/// Returns true inside a hollow cup over an ear: a rim and a plate.
 bool isInEarphone(const HeadExtent& head, const Vector3d& p) {
   const Vector3d q = p - head.middle();
   const double beside = std::abs(q.x()) - head.halfWidth_mm();
@@ -99,7 +99,7 @@ bool isInEarphone(const HeadExtent& head, const Vector3d& p) {
   return beside > -25 && beside < 26 && (is_rim || is_plate);
 }
 
-/// A strip across the forehead, 25 mm high.
+/// Returns true inside a strip across the forehead, 25 mm high.
 bool isInTape(const HeadExtent& head, const Vector3d& p, double away_mm) {
   constexpr double kThick_mm = 1, kHalfLength_mm = 40;
   const Vector3d q = p - head.middle();
@@ -114,7 +114,7 @@ float skinSignal(const Volume& volume, const std::vector<float>& away_mm) {
   return values.empty() ? 0.f : upperMedian(std::move(values));
 }
 
-/// > 0 outside. Exact near the skin, whole voxels further away.
+/// Distances from the skin, > 0 outside. Exact near the skin, whole voxels further away.
 std::vector<float> awayFromSkin_mm(const Mask& head, const surface::TriangleMesh& skin) {
   const surface::ClosestPoint closest(skin);
   std::vector<float> away_mm = volume::distanceTo(head);
@@ -128,7 +128,7 @@ std::vector<float> awayFromSkin_mm(const Mask& head, const surface::TriangleMesh
   return away_mm;
 }
 
-/// Was the air set to one value?
+/// Returns true if the air was set to one value.
 bool isErased(const Volume& volume, const std::vector<float>& away_mm) {
   std::vector<float> outside;
   for (std::size_t v = 0; v < away_mm.size(); ++v)

@@ -20,14 +20,14 @@ using Random = std::mt19937;
 constexpr double kLeastWave_mm = 70, kMostWave_mm = 160;  // of the bending
 constexpr double kMostValue = 255, kMostAir = 15;         // of any contrast
 constexpr double kLeastSpread = 3, kMostSpread = 25;
-// Stand in for labels without statistics: cortex inside the skull, soft tissue outside.
+// Labels used in place of labels without statistics: cortex inside the skull, soft tissue outside.
 constexpr int kLikeInside = 3, kLikeOutside = 509, kOutsideOfSkull = 500;
 
 double between(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// amount * sin * sin * sin of the three voxel indices: smooth, and three short tables hold it.
+/// amount * sin * sin * sin of the three voxel indices: smooth, and stored in three short tables.
 class Wave {
  public:
   Wave(Random& random, const VoxelGrid& grid, double most_mm) : amount_(between(random, -most_mm, most_mm)) {
@@ -44,7 +44,7 @@ class Wave {
   std::array<std::vector<double>, 3> values_;
 };
 
-/// Turn and size, about the grid's centre, in voxels.
+/// Rotation and size, about the grid's centre, in voxels.
 Eigen::Affine3d movedVoxels(Random& random, const VoxelGrid& grid, const SyntheticRanges& ranges) {
   const double deg = kRadPerDeg * ranges.turn_deg;
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity() / between(random, ranges.least_size, ranges.most_size);
@@ -94,7 +94,7 @@ Paint drawAny(Random& random, bool is_air) {
   return {mean, between(random, kLeastSpread, kMostSpread)};
 }
 
-/// One draw a class, by label.
+/// Draws one paint a class; returns them by label.
 std::vector<Paint> drawPaints(const std::map<int, LabelStatistics>& statistics, SyntheticContrast contrast,
                               Random& random) {
   const auto air = statistics.find(0);

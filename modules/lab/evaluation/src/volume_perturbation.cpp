@@ -44,7 +44,7 @@ Eigen::Affine3d movedFromOriginal(const VoxelGrid& original, const VolumePerturb
   return Eigen::Translation3d(centre) * Eigen::Affine3d(linear) * Eigen::Translation3d(-centre);
 }
 
-/// The lowest slice (RAS order) repeated downwards.
+/// Repeats the lowest slice (RAS order) downwards.
 Volume withNeck(const Volume& volume, double neck_mm) {
   const Volume whole = volume::toRasOrder(volume);
   const int more = int(std::lround(neck_mm / whole.grid.spacing_mm().z()));
@@ -73,7 +73,7 @@ Volume resampledTo(const Volume& volume, double spacing_mm) {
   return out;
 }
 
-/// A random second-order polynomial; its largest value over the head's ball is about 1.
+/// Random second-order polynomial; its largest value over the head's ball is about 1.
 struct SmoothField {
   explicit SmoothField(std::mt19937& random) {
     std::normal_distribution<double> normal;

@@ -9,7 +9,7 @@
 namespace facenav::room {
 namespace {
 
-/// Uniform in 0..1 for one frame; `kind` tells the draws of a frame apart.
+/// Draws uniformly in 0..1 for one frame; `kind` distinguishes the draws of a frame.
 double drawn(const ScenarioOptions& options, std::int64_t frame, std::uint64_t kind) {
   std::mt19937_64 random(options.seed * 9176 + std::uint64_t(frame) * 131 + kind);
   random.discard(3);
@@ -21,7 +21,7 @@ double drawn(const ScenarioOptions& options, std::int64_t frame, std::uint64_t k
 double lightTaken(const ScenarioOptions& options, double frame) {
   constexpr double kStep_frames = 5.0;
   if (options.exposure_step == 0.0) return 1.0;
-  // Up in each odd second, down again in each even one, starting at half a second.
+  // Rises in each odd second and falls in each even one, starting at half a second.
   const double in_s = frame / options.frames_per_s + 0.5, second = std::floor(in_s);
   const double since = (in_s - second) * options.frames_per_s / kStep_frames;
   const bool is_up = int(second) % 2 == 1;

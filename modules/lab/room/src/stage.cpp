@@ -101,7 +101,7 @@ struct Stage::Implementation {
         renderers{Renderer(rays[0], renderBackdrop(rays[0], camera_T_room.inverse().isometry(), kWall_mm)),
                   Renderer(rays[1], renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm))} {}
 
-  /// Only a camera that moved: a rendered wall takes some tens of milliseconds.
+  /// Moves only a camera that moved: rendering a wall takes some tens of milliseconds.
   void moveRight(const Cast& cast) {
     const Eigen::Isometry3d right_T_world = cast.right_moved * rig.right_T_left.isometry();
     if (rays[1].camera_T_world().matrix() == right_T_world.matrix()) return;

@@ -21,7 +21,7 @@
 
 namespace facenav::room {
 
-/// How a camera without a global shutter takes a picture: row by row, each over its exposure.
+/// Shutter of a camera without a global one: exposes row by row.
 struct Shutter {
   double rolling_s = 0.0;   // from the first row to the last
   double exposure_s = 0.0;  // of each row
@@ -35,7 +35,7 @@ struct Cast {
   std::optional<Eigen::Isometry3d> room_T_hand;  // a hand that hides part of the face
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
-  std::optional<stereo::DotPattern> dots;                   // projected; nothing: the projector is off
+  std::optional<stereo::DotPattern> dots;                   // projected; empty: the projector is off
   cv::Mat
       shown;  // 8-bit, in place of the dots: what the projector shows, of roomProjector()'s size; not dimmed
   double wetness = 0.0;             // of the skin: 1: small hard highlights
@@ -49,7 +49,7 @@ struct Cast {
   /// Motion of the right camera on its mount since the calibration, in its own frame: moved from calibrated.
   Eigen::Isometry3d right_moved = Eigen::Isometry3d::Identity();
 
-  /// The same in every detail: gives the same images.
+  /// Compares every detail: equal casts give the same images.
   bool operator==(const Cast& other) const;
 };
 
@@ -60,16 +60,16 @@ class Stage {
   ~Stage();
 
   void set(const Cast& cast);
-  /// Left (0) or right (1) in linear light, with depth and object maps. Rendered once until another cast is
-  /// set.
+  /// Image of the left (0) or right (1) camera in linear light, with depth and object maps. Rendered once
+  /// until another cast is set.
   const View& view(std::size_t camera) const;
-  /// The image of one camera. A closed shutter gives black with noise.
+  /// Takes the image of one camera. A closed shutter gives black with noise.
   cv::Mat picture(std::size_t camera, std::uint64_t noise_seed, bool is_open = true) const;
-  /// The same with this shutter. `at`: the cast so many seconds after the picture's middle row is half
+  /// Takes the image with this shutter. `at`: the cast so many seconds after the picture's middle row is half
   /// exposed. The last cast stays set.
   cv::Mat sweptPicture(std::size_t camera, std::uint64_t noise_seed, const Shutter& shutter,
                        const std::function<Cast(double later_s)>& at);
-  /// Of both films from now on: light that they take, and blur (px) beside the lens's own.
+  /// Sets for both films the light that they take, and blur (px) beside the lens's own.
   void adjust(double light, double defocus_px);
   cameras::StereoFrame photograph(std::int64_t number, double time_s, std::uint64_t noise_seed) const;
   /// Share of the face's skin that both cameras see, 0..1.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kFramesPerSeed = 1000003;
 
-/// Left and right: the seed sets the glare's gradient, different in each camera.
+/// Films of left and right: the seed sets the glare's gradient, different in each camera.
 std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
   std::array<FilmOptions, 2> films;
   std::mt19937_64 random(options.seed * 6151 + 29);
@@ -32,7 +32,7 @@ std::array<FilmOptions, 2> filmsOf(const ScenarioOptions& options) {
   return films;
 }
 
-/// The rig as its file states it.
+/// Rig as its file gives it.
 cameras::StereoRig statedRig(const ScenarioOptions& options) {
   cameras::StereoRig rig = makeRig(options.rig);
   const double row_time_s = 1e-3 * options.rolling_ms / rig.height_px;
@@ -90,7 +90,7 @@ struct SyntheticSource::Implementation {
     return frame;
   }
 
-  /// `late`: frames after the left camera's moment.
+  /// Takes a picture. `late`: frames after the left camera's moment.
   cv::Mat picture(std::size_t camera, std::uint64_t seed, double late, bool is_open) {
     const Shutter shutter{1e-3 * options.rolling_ms, 1e-3 * options.exposure_ms};
     const double when = double(number) + late;
@@ -102,7 +102,7 @@ struct SyntheticSource::Implementation {
     return stage.picture(camera, seed, is_open);
   }
 
-  /// The last pair once more, as if it were new; the truth is still that of its pictures.
+  /// Returns the last pair once more, as if it were new; the truth is still that of its pictures.
   std::shared_ptr<const cameras::StereoFrame> lastAgain() {
     auto frame = std::make_shared<cameras::StereoFrame>(last);
     frame->left = last.left.clone(), frame->right = last.right.clone();

@@ -35,7 +35,7 @@ TEST(FaceRegions, ThePatientsRightIsPositiveX) {
 }
 
 TEST(FaceRegions, WeightsAreSharesAndChangeWithoutAStep) {
-  // Along the three paths that cross all regions.
+  // Follows the three paths that cross all regions.
   for (double up = -90; up <= 130; up += 0.5)
     for (const double right : {0.0, 18.0, 45.0}) {
       const double soft = kRegions.softness(at(right, up)), hair = kRegions.foreignShare(at(right, up));

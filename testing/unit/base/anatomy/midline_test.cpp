@@ -20,14 +20,14 @@ double bump(double z, double at, double height, double width) {
   return height * std::exp(-0.5 * std::pow((z - at) / width, 2));
 }
 
-/// A nose 22 mm long beyond the face: it rises from the root to the tip and falls off to the base.
+/// Height of a nose 22 mm long beyond the face: it rises from the root to the tip and falls off to the base.
 double noseAt(double z) {
   if (z > kRoot_mm || z < kBase_mm) return 0;
   return z >= kTip_mm ? 22 * (kRoot_mm - z) / (kRoot_mm - kTip_mm)
                       : 22 * (z - kBase_mm) / (kTip_mm - kBase_mm);
 }
 
-/// How far forward the face lies at height `z`, mm.
+/// Forward position of the face at height `z`, mm.
 double faceAt(double z, bool has_nose) {
   const double skull = 95 * std::sqrt(std::max(0.0, 1 - z * z / (120.0 * 120.0)));
   if (!has_nose) return skull + bump(z, 36, 5, 9);  // cut away from the brow down
@@ -40,7 +40,7 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;
 };
 
-/// A strip of 20 mm about the plane of symmetry. `end_mm`: the scan ends at this height.
+/// Strip of 20 mm about the plane of symmetry. `end_mm`: the scan ends at this height.
 Mesh strip(bool has_nose = true, double end_mm = -112,
            const Eigen::Isometry3d& moved = Eigen::Isometry3d::Identity()) {
   std::vector<Vector2d> line;
@@ -114,7 +114,7 @@ TEST(MidlineLandmarks, OfANoddingHeadAreTheSame) {
 }
 
 /// Tilted back by 75 degrees the nose lies at the start of the outline. It may be missing then, but a chin
-/// may not be taken for it.
+/// must not be taken for it.
 TEST(MidlineLandmarks, TheChinOfAHeadTiltedFarBackIsNoNose) {
   for (double pitch_deg = -40; pitch_deg <= 90; pitch_deg += 2.5) {
     const Eigen::Isometry3d nod(Eigen::AngleAxisd(pitch_deg * M_PI / 180, Vector3d::UnitX()));

@@ -1,4 +1,4 @@
-// Norms are complete and hold the people they were measured on.
+// Norms are complete and contain the people that they were measured on.
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(BrainNorms, TheHandAreaLiesInTheTemplatesBrainOnItsLeft) {
   EXPECT_LT(kLeftHandKnob_mm.x(), 0);
 }
 
-/// Means with two standard deviations of published populations lie inside.
+/// The norms contain means with two standard deviations of published populations.
 TEST(FaceNorms, HoldThePopulationsTheyNameAsSources) {
   const auto range = [](const std::string& name) {
     for (const FaceNorm& norm : faceNorms())

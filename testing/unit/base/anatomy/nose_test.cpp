@@ -1,4 +1,4 @@
-// The nose is sought on a head in closed form: an ellipsoid of 75 x 95 x 115 mm with a nose whose tip is
+// The nose is searched on a head in closed form: an ellipsoid of 75 x 95 x 115 mm with a nose whose tip is
 // known.
 
 #include "facenav/anatomy/nose.h"
@@ -22,7 +22,7 @@ double nose_mm(double x_mm, double z_mm) {
   return kTipForward_mm * along * std::exp(-0.5 * x_mm * x_mm / (8.0 * 8.0));
 }
 
-/// The front half of the skin in steps of 1 mm. `end_z_mm`: the scan ends there.
+/// Front half of the skin in steps of 1 mm. `end_z_mm`: the scan ends there.
 std::vector<Eigen::Vector3d> frontOfHead(bool has_nose, double end_z_mm = -110) {
   std::vector<Eigen::Vector3d> skin;
   for (double z = 114; z >= end_z_mm; z -= 1)
@@ -74,7 +74,7 @@ TEST(Nose, RisesFromItsRootToItsTip) {
   EXPECT_NEAR(relief.z_mm(nose->root_row), kTip_z_mm + 40, 8.0);
 }
 
-/// Down to the chin: below it the ellipsoid closes to a point, as no head does.
+/// Uses the head down to the chin: below it the ellipsoid closes to a point, unlike a head.
 TEST(Nose, AHeadWithoutOneHasNoRise) {
   const FrontRelief relief = reliefOf(frontOfHead(false, -75));
   const auto nose = findNoseRise(relief, midlineColumn(relief));

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// One plane of 40 x 30 mm: height = 50 + 0.5 across + 0.25 up, as two triangles seen from `side`.
+/// Plane of 40 x 30 mm: height = 50 + 0.5 across + 0.25 up, as two triangles seen from `side`.
 struct Plane {
   std::vector<Vector3d> head_mm;
   std::vector<Eigen::Vector3i> triangles{Eigen::Vector3i(0, 1, 2), Eigen::Vector3i(1, 3, 2)};
@@ -91,7 +91,7 @@ TEST(SkinRelief, SmoothingDoesNotFillHolesOrDrawTheirRim) {
 double bump(double d2, double width) { return std::exp(-0.5 * d2 / (width * width)); }
 double square(double x) { return x * x; }
 
-/// A face about the nasion at (0, 100, 0): a bridge, hollows at the eyes' inner corners, lids beside them.
+/// Face about the nasion at (0, 100, 0): a bridge, hollows at the eyes' inner corners, lids beside them.
 SkinRelief eyes(double corner_mm, double corner_up_mm, double lid_mm) {
   return reliefOf(60, [=](double x, double z) {
     const double aside = std::abs(x);

@@ -33,7 +33,7 @@ TEST(ChildProcess, RunsWorkThatLeavesFiles) {
 }
 
 TEST(ChildProcess, TellsWhatItsWorkThrew) {
-  const std::string words(100'000, 'w');  // more than a pipe holds
+  const std::string words(100'000, 'w');  // exceeds a pipe's buffer
   const auto end = ChildProcess::run([&] { throw Error(words); }, silent()).wait();
   EXPECT_EQ(end.exit_status, 1);
   EXPECT_EQ(end.failure, words);

@@ -124,7 +124,7 @@ TEST(SettingsTable, AFileChangesSeveral) {
   EXPECT_THAT(refusalOf("brain.reach_mm=9"), HasSubstr("JSON"));
 }
 
-/// In a process of its own: settings are put in force once.
+/// Failure of `work` in a process of its own, since settings are put in force once.
 std::string failureOf(const std::function<void()>& work) { return ChildProcess::run(work).wait().failure; }
 
 void require(bool is_so, const char* what) {

@@ -35,7 +35,7 @@ TEST(Simd, AKernelIsMadeForTheChosenSetOnly) {
   EXPECT_EQ(chooseKernel(base, avx2), instructionSet() == InstructionSet::avx2 ? 2 : 1);
 }
 
-// In a process of its own: the choice is made once and kept.
+// Runs in a process of its own, since the choice is made once.
 TEST(SimdDeathTest, TheEnvironmentForcesTheBaseSet) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(

@@ -23,7 +23,7 @@ TEST(CaseCoil, IsAFigureOfEightUntilOneIsSet) {
   EXPECT_TRUE(coilOf(folder.path()).is_default);
   EXPECT_EQ(coilOf(folder.path()).plate.outline_mm.size(), guidance::figureOfEight().outline_mm.size());
   setCoil(folder.path(), coilFileIn(folder.path(), "[[-45, -45], [45, -45], [45, 45], [-45, 45]]"));
-  std::filesystem::remove(folder.path() / "given.json");  // the case holds its own copy
+  std::filesystem::remove(folder.path() / "given.json");  // the case has its own copy
   const CaseCoil coil = coilOf(folder.path());
   EXPECT_FALSE(coil.is_default);
   EXPECT_EQ(coil.name, "round 90");

@@ -168,7 +168,7 @@ TEST(CaseStore, ReplacingKeepsIdTargetsSessionsAndThresholdsButNoStaleAlignment)
   EXPECT_EQ(entries(folder.path()), 1u) << "no temporary folder is left";
 }
 
-/// The same scan with the axis i reversed.
+/// Reverses axis i of the scan.
 PreparedCase countedBackwards(PreparedCase prepared) {
   auto& mri = prepared.mri;
   const int last = mri.grid.size[0] - 1;

@@ -25,7 +25,7 @@ inline volume::Mask ball(double radius_mm) {
   return mask;
 }
 
-/// An octahedron about the grid's centre.
+/// Octahedron about the grid's centre.
 inline surface::TriangleMesh octahedron(double radius_mm) {
   surface::TriangleMesh mesh;
   for (int axis = 0; axis < 3; ++axis)

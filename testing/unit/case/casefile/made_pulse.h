@@ -9,7 +9,7 @@ inline RigidTransform<Camera, Mri> madeCamera_T_mri() {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized())), {10, -20, 600}};
 }
 
-/// On a target whose coil stands `off_mm` away along the target's x.
+/// Makes a pulse on a target; the coil is `off_mm` away along the target's x.
 inline Pulse madePulse(int number, double off_mm = 0.5) {
   Pulse pulse;
   pulse.number = number;

@@ -99,7 +99,7 @@ TEST(PulseFile, AFolderThatWasRemovedIsMadeAgainWithEveryPulse) {
   EXPECT_EQ(numbersIn(session), (std::vector<int>{1, 2, 3}));
 }
 
-/// The limit on a file's size stands in for a full disk: both refuse the part of a line that does not fit.
+/// The limit on a file's size simulates a full disk: both refuse the part of a line that does not fit.
 TEST(PulseFile, AFullDiskIsSaidAndLeavesWholeLines) {
   const TemporaryFolder folder;
   PulseFile file(folder.path());
@@ -125,7 +125,7 @@ TEST(PulseFile, AFullDiskIsSaidAndLeavesWholeLines) {
   EXPECT_TRUE(readSessionPulses(folder.path()).problems.empty());
 }
 
-/// Keeps pulses without end, and says each number once it is kept.
+/// Stores pulses in an endless loop, and reports each number once it is stored.
 [[noreturn]] void keepPulses(const fs::path& folder, int said) {
   PulseFile file(folder);
   for (int number = 1;; ++number) {

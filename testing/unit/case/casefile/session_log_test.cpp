@@ -36,7 +36,7 @@ TEST(SessionLog, TwoSessionsInOneSecondStayApart) {
   EXPECT_NE(first.folder(), second.folder());
 }
 
-/// Head and coil at rest, the coil on the target.
+/// Adds a frame with head and coil at rest, the coil on the target.
 void addFrame(SessionLog& log, int frame) {
   const double t_s = 0.1 * frame;
   for (const auto object : {PoseObject::head, PoseObject::coil})
@@ -51,7 +51,7 @@ void addFrame(SessionLog& log, int frame) {
   log.add(guidance::GuidanceRow{frame, t_s, "M1, \"hand\"", state, gap});
 }
 
-/// The first `columns` fields of each line of a table; the target's name holds one comma more.
+/// Keeps the first `columns` fields of each line of a table; the target's name contains one comma more.
 void cutColumns(const std::filesystem::path& path, int columns) {
   std::istringstream old(readWholeFile(path));
   std::string line, cut;

@@ -19,7 +19,7 @@ PoseRow frameRow(std::int64_t frame, double t_s) {
                  Tracked<RigidTransform<Camera, Mri>>(Lost{LostReason::no_face}));
 }
 
-/// Cut off: nothing says that it ended, and the last lines are torn.
+/// Makes an interrupted session: no end is recorded, and the last lines are torn.
 std::filesystem::path cutOffSession(const std::filesystem::path& case_folder) {
   std::filesystem::path folder;
   {

@@ -1,4 +1,4 @@
-// On the public-domain portrait of python3-skimage; eye corners marked by hand.
+// The detector on the public-domain portrait of python3-skimage; eye corners marked by hand.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Landmarks of both images joined to one face, on points whose projections are known: a detector stands in.
+// Landmarks of both images joined to one face, on points with known projections and a fake detector.
 
 #include "facenav/face/stereo_face.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using testing::EigenNear;
 
-/// 68 places on a shallow bowl of a face's size, 600 mm in front of the cameras.
+/// 68 points on a shallow bowl of a face's size, 600 mm in front of the cameras.
 std::vector<Eigen::Vector3d> facePoints() {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 68; ++i) {
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3d> facePoints() {
   return points;
 }
 
-/// What a detector finds: the left and the right image are told apart by their first pixel (1, 2).
+/// Fake detector; the first pixel distinguishes the left and the right image (1, 2).
 class Stub : public FaceDetector {
  public:
   std::optional<FaceLandmarks> left, right;            // anywhere
@@ -171,7 +171,7 @@ TEST(StereoFace, ItsDepthIsTheMedianSoThatOneWildLandmarkIsNoMatter) {
   EXPECT_EQ(depthOf(rig, face), 605.0);
 }
 
-/// Landmarks of a moved face: brow, eyes and nose (17..47) rigid.
+/// Motion estimated from landmarks of a moved face: brow, eyes and nose (17..47) rigid.
 Eigen::Isometry3d motion() {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.linear() = expRotation({0.1, -0.2, 0.15});

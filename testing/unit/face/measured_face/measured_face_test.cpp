@@ -16,7 +16,7 @@ using facenav::testing::SyntheticFace;
 using facenav::testing::SyntheticView;
 using ::testing::HasSubstr;
 
-/// The head sways by some millimetres and degrees; one frame may be occluded.
+/// Film of a head that sways by some millimetres and degrees; one frame may be occluded.
 class SwayingFilm : public capture::FrameSource {
  public:
   SwayingFilm(const SyntheticFace& face, const cameras::StereoRig& rig, int frames, int hidden = -1,
@@ -51,7 +51,7 @@ class SwayingFilm : public capture::FrameSource {
 
 struct Errors {
   int points = 0;
-  // Shares within 1 and 2 stated standard errors.
+  // Shares within 1 and 2 given standard errors.
   double median_mm = 0, rms_mm = 0, within = 0, within_two = 0;
 };
 
@@ -75,7 +75,7 @@ class MeasuredFaces : public ::testing::Test {
           reference.surface.points_mm[i].norm();
   }
 
-  /// False at the outline, where stereo mixes face and background.
+  /// Returns false at the outline, where stereo mixes face and background.
   static bool isInner(const Eigen::Vector3d& p_mm) {
     return (p_mm.head<2>() - Eigen::Vector2d(0, -10)).norm() < 55;
   }

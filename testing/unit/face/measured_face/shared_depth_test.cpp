@@ -16,7 +16,7 @@ PointCloud<Camera> faceAt(double z_mm) {
   return face;
 }
 
-/// A calibration in which only this parameter has an error.
+/// Calibration in which only this parameter has an error.
 cameras::StereoRig knownBut(int parameter, double sigma) {
   cameras::StereoRig rig = facenav::testing::convergingRig();
   const int n = 2 * (4 + 5) + 6;
@@ -35,7 +35,7 @@ TEST(SharedDepth, FollowsTheCalibrationsOwnCovariance) {
   const auto face = faceAt(600);
   const double known_mm = measured_face::sharedDepthSigma_mm(knownBut(0, 0.0), face);
   EXPECT_NEAR(known_mm, 0.01 * 600 * 600 / (800 * 120.0), 0.005) << "only matching is left";
-  // The model takes a calibration's true errors to be 1.5 times the stated ones (RigUncertainty). A stated
+  // The model assumes that a calibration's true errors are 1.5 times the given ones (RigUncertainty). A given
   // error of 0.2 mm for a baseline of 120 mm thus gives 1.5 mm at 600 mm; one of 0.1 px for the right
   // principal point gives 0.15 px.
   constexpr int kShiftX = 2 * (4 + 5) + 3, kRightCentreX = 4 + 5 + 2;

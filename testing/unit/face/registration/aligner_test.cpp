@@ -120,7 +120,7 @@ TEST(SurfaceAligner, RefusesAMirroredScanAndNotTheRightOne) {
   }
 }
 
-/// What cameras see whose calibration is off by `scale`: all of space, from the left camera on.
+/// Scales space about the left camera, as cameras with a calibration off by `scale` measure it.
 PointCloud<Camera> resized(PointCloud<Camera> cloud, double scale) {
   for (auto& p : cloud.points_mm) p *= scale;
   return cloud;
@@ -134,7 +134,7 @@ TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
   EXPECT_NEAR(right.face_scale->value, 1.0, 3 * right.face_scale->sigma + 0.002);
   EXPECT_GT(right.face_scale->sigma, 0.0);
   EXPECT_TRUE(right.cautions.empty()) << right.cautions.front();
-  // The pose stays rigid; the size is reported. Off by far, the face does not fit any more.
+  // The pose stays rigid; the size is reported. If it is far off, the face does not fit any more.
   const auto small = align(patientsField(), resized(cloud, 0.988));
   ASSERT_TRUE(small.face_scale);
   EXPECT_NEAR(small.face_scale->value, 0.988, 0.005);
@@ -147,7 +147,7 @@ TEST(SurfaceAligner, TellsTheFacesSizeFromTheScans) {
 }
 
 TEST(SurfaceAligner, TheBoundHoldsTheDistanceThatATurnedCameraMistakes) {
-  // A right camera that turned sideways by about 0.1 deg: the face is measured too near and too small.
+  // The right camera turned sideways by about 0.1 deg: the face is measured too near and too small.
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {.seed = 9});
   const auto off_mm = [&](const AlignmentResult& result) {
@@ -165,7 +165,7 @@ TEST(SurfaceAligner, TheBoundHoldsTheDistanceThatATurnedCameraMistakes) {
 /// Right camera 120 mm beside the left one; the face at some 600 mm.
 const TurnableCamera kRight{Point<Camera>(120, 0, 0), Direction<Camera>(Eigen::Vector3d::UnitY())};
 
-/// As measured with a right camera that turned by `deg` since the calibration: exact, along the left rays.
+/// Measures with a right camera that turned by `deg` since the calibration: exact, along the left rays.
 PointCloud<Camera> turned(PointCloud<Camera> cloud, double deg) {
   for (auto& p : cloud.points_mm) {
     const Eigen::Vector3d ray = p.normalized(),
@@ -205,8 +205,8 @@ TEST(SurfaceAligner, FindsHowFarTheRightCameraTurnedAndRefusesIt) {
   }
 }
 
-/// The square of a coil on kTarget, as a right camera that turned by `deg` measures it, against the head as
-/// it is shown: how far the target under the coil is off.
+/// Error of the target under the coil: the marker of a coil on kTarget, measured with a right camera that
+/// turned by `deg`, against the head as shown.
 double coilOff_mm(const AlignmentResult& shown, const RigidTransform<Camera, Mri>& truth,
                   const std::vector<Point<Mri>>& marker, double deg) {
   PointCloud<Camera> corners;
@@ -259,7 +259,7 @@ TEST(SurfaceAligner, AMarkerThatSeesNoTurnDoesNotHideTheTurnThatTheFaceSees) {
   const auto truth = facing(8, 4, 0);
   const auto cloud = measure(ModelHead(), truth, {.seed = 1});
   const double sigma_rad = align(patientsField(), cloud, start).right_turn->sigma_rad;
-  start.known_turn = CameraTurn{0.0, 0.3 * sigma_rad};  // as of a print at another size
+  start.known_turn = CameraTurn{0.0, 0.3 * sigma_rad};  // as measured on a print of another size
   EXPECT_THAT([&] { align(patientsField(), turned(cloud, 4.5 * kDegPerRad * sigma_rad), start); },
               ThrowsMessage<Error>(HasSubstr("turned sideways")));
 }

@@ -14,7 +14,7 @@
 namespace facenav::registration {
 namespace {
 
-/// A square of 100 x 100 mm at z = 600 mm; the half with x > 0 is ten times as dense.
+/// Square of 100 x 100 mm at z = 600 mm; the half with x > 0 is ten times as dense.
 PointCloud<Camera> unevenSquare() {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -83,14 +83,14 @@ TEST(CloudSampling, PicksPointsWithTheirNormals) {
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two.points_mm[0].x(), 3);
   EXPECT_EQ(two.normals[1].y(), 1);
-  cloud.normals.pop_back();  // of another number than the points: none
+  cloud.normals.pop_back();  // fewer normals than points count as none
   EXPECT_TRUE(pick(cloud, {3, 1}).normals.empty());
 }
 
 TEST(CubeNumbers, AreThoseOfAMapWhateverTheSignAndHoweverMany) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> uniform(-300, 300);
-  CubeNumbers numbers(4.0, 5);  // far fewer expected than come
+  CubeNumbers numbers(4.0, 5);  // far fewer expected than arrive
   std::map<std::array<int, 3>, int> expected;
   for (int i = 0; i < 20000; ++i) {
     const Eigen::Vector3f p(uniform(random), uniform(random), 0.02f * uniform(random));

@@ -82,7 +82,7 @@ TEST(FieldFitter, ResidualsArePositiveOutsideTheSkin) {
   const auto truth = facing(0, 0, 0);
   auto cloud = modelFace(truth, 2000, 0.0);
   const Eigen::Isometry3d mri_T_camera = truth.isometry().inverse();
-  // Nearer to the camera lies outside of skin that faces it.
+  // A point nearer to the camera lies outside of skin that faces it.
   for (auto& p : cloud.points_mm) p -= 1.0 * p.normalized();
   int outside = 0, valid = 0;
   for (const PointMatch& match : FieldFitter(modelField(), cloud, allOf(cloud)).match(mri_T_camera)) {

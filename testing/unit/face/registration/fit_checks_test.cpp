@@ -24,7 +24,7 @@ using testing::modelFace;
 using testing::modelField;
 using testing::modelHead;
 
-/// What the right head leaves.
+/// Evidence of a fit to the right head.
 FitEvidence rightHead() {
   FitEvidence evidence;
   evidence.closeness = {3000, 0.8, 0.95, 0.15, 0.2, 0.1, 110.0};
@@ -33,7 +33,7 @@ FitEvidence rightHead() {
   return evidence;
 }
 
-/// Why it is refused; empty where it is not.
+/// Reason of the refusal; empty if it is accepted.
 std::string refusal(const FitEvidence& evidence) {
   try {
     requireTrust(evidence);
@@ -43,7 +43,7 @@ std::string refusal(const FitEvidence& evidence) {
   return "";
 }
 
-/// Evidence beyond one limit, what is said then, and a limit that lets it pass.
+/// Evidence beyond one limit, its message, and a limit that accepts it.
 struct Verdict {
   const char* limit;
   void (*spoil)(FitEvidence&);
@@ -194,7 +194,7 @@ TEST(FitEvidence, OfAResizedFaceNamesItsSize) {
   const auto truth = facing(8, -5, 3);
   for (const double scale : {0.94, 1.06}) {
     PointCloud<Camera> face = modelFace(truth);
-    // About the head's middle, so that the pose stays the right one.
+    // Turned about the head's middle, so that the pose stays the right one.
     const Eigen::Vector3d middle = truth.isometry() * modelField().middle_mm();
     for (auto& p : face.points_mm) p = middle + scale * (p - middle);
     const FitEvidence evidence = evidenceOf(face, truth);

@@ -1,5 +1,5 @@
-// The misfit model on an ellipsoid whose patches are known in closed form: what a pose error leaves in the
-// residuals must be found again, and the bound must hold for misfit drawn from the model's own prior.
+// The misfit model on an ellipsoid whose patches are known in closed form: a pose error must be recovered
+// from the residuals, and the bound must hold for misfit drawn from the model's own prior.
 
 #include "confidence/misfit_model.h"
 
@@ -53,7 +53,7 @@ Vector6d someError() {
   return error;
 }
 
-/// Smooth misfit of that size and reach, white noise, drawn from `random`.
+/// Adds smooth misfit of that size and reach, and white noise, drawn from `random`.
 void addField(std::vector<SkinPatch>& patches, double size_mm, double reach_mm, double soft,
               std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -107,7 +107,7 @@ TEST(MisfitModel, TheCovarianceIsSymmetricAndPositive) {
   EXPECT_GT(posterior.scale_sigma, 0.0);
 }
 
-/// On average: the size of the misfit is estimated from each sample.
+/// The bound grows on average: the size of the misfit is estimated from each sample.
 TEST(MisfitModel, TheBoundGrowsAsLessOfTheFaceIsSeen) {
   constexpr std::uint32_t kSeeds = 12;
   double last = 0;
@@ -125,7 +125,7 @@ TEST(MisfitModel, TheBoundGrowsAsLessOfTheFaceIsSeen) {
   }
 }
 
-/// A face that a far camera sees too near by one amount all over is a face moved by that amount.
+/// A depth error common to the whole face is a shift along the view.
 TEST(MisfitModel, AnErrorOfTheCloudThatAllOfItSharesIsAShiftAlongTheView) {
   constexpr double kSigma_mm = 0.4;
   const Eigen::Vector3d view = Eigen::Vector3d(0.2, 1.0, -0.1).normalized();

@@ -22,7 +22,8 @@ ModelHead ellipsoid() {
   return head;
 }
 
-/// Distance of `p` from a triangle: the least of its edges, and of its plane where `p` lies above it.
+/// Distance of `p` from a triangle: the least of those to its edges, and of that to its plane if `p` lies
+/// above it.
 double distanceToTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                           const Eigen::Vector3d& c) {
   const auto toSegment = [&](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {

@@ -17,7 +17,7 @@ using facenav::testing::ModelHead;
 
 constexpr int kPoints = 2000, kPadded = 2048;
 
-/// Points in a box twice as wide as the head, one in fifty no number.
+/// Points in a box twice as wide as the head, one in fifty not a number.
 struct Cloud {
   std::vector<float> at_mm[3], normal[3], weight;
 

@@ -1,4 +1,5 @@
-// Is the predicted error honest? Live skin that differs from the scan's in ways that a fit cannot see.
+// Compares the predicted error with the true one for live skin that differs from the scan's in ways that a
+// fit cannot see.
 
 #include <gtest/gtest.h>
 
@@ -84,8 +85,8 @@ TEST(PredictedError, HoldsForAllKindsOfMisfit) {
 }
 
 TEST(PredictedError, HairOverHalfOfWhatTheScanHasDoesNotPull) {
-  // The scan ends at mid-nose, hair hangs far down the forehead: a pose midway between hair and skin fits all
-  // of it loosely, the right one the bare skin closely.
+  // The scan ends at mid-nose, hair hangs far down the forehead. A pose between hair and skin fits all of it
+  // loosely; the right one fits the bare skin closely.
   const Eigen::Vector3d nose = fixture().scalp.noseTip_mm();
   const ScalpField scalp(ModelHead().skin(-25));
   int aligned = 0;
@@ -101,7 +102,7 @@ TEST(PredictedError, HairOverHalfOfWhatTheScanHasDoesNotPull) {
       const double error_mm = poseError(result.camera_T_mri, truth, kTarget).at_point_mm;
       EXPECT_LT(error_mm, result.errorBound_mm(kTarget)) << seed;
       aligned += error_mm < 2.0;
-    } catch (const Error& refusal) {  // allowed; a pose that the hair pulled is not
+    } catch (const Error& refusal) {  // a refusal is allowed; a pose displaced by hair is not
       EXPECT_EQ(std::string(refusal.what()).rfind("not aligned", 0), 0u) << refusal.what();
     }
   }
@@ -109,7 +110,7 @@ TEST(PredictedError, HairOverHalfOfWhatTheScanHasDoesNotPull) {
 }
 
 TEST(PredictedError, AMaskOverHalfOfTheFaceDoesNotPull) {
-  // All of mask and brow can be fitted loosely by a head that nods; the bare skin closely by the right pose.
+  // A head that nods fits all of mask and brow loosely; the right pose fits the bare skin closely.
   const Eigen::Vector3d nose = fixture().scalp.noseTip_mm();
   for (const std::uint32_t seed : {491u, 492u}) {
     const auto truth = facing(12.0 * std::sin(seed), 5.0 * std::cos(seed), 3, {0, 0, 10});

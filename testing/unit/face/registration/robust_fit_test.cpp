@@ -66,7 +66,7 @@ TEST(PatchWeights, APatchThatIsLiftedAsAWholeHasNoneAndNoiseCostsNothing) {
   auto residuals = normalResiduals(1000, 0.1, 4);  // ten patches
   for (std::size_t i = 300; i < 400; ++i) residuals[i] += 1.6f;
   auto matches = matchesOf(residuals);
-  matches[5].residual_mm = 3.0f;  // one point off does not take its patch along
+  matches[5].residual_mm = 3.0f;  // one outlier does not discard its patch
   matches[6].is_valid = false;
   const auto weights = patchWeights(matches, 4.0);
   ASSERT_EQ(weights.size(), matches.size());
@@ -83,7 +83,7 @@ TEST(PatchWeights, APatchOfThreePointsSaysNothing) {
   EXPECT_EQ(weights, std::vector<float>(3, 0.0f));
 }
 
-/// The face with an object 12 to 18 mm before the patient's right cheek and jaw.
+/// Face with an object 12 to 18 mm before the patient's right cheek and jaw.
 struct Covered {
   PointCloud<Camera> face;
   std::vector<bool> is_covered;
@@ -116,7 +116,7 @@ TEST(RobustFit, AnObjectBeforeTheCheekNeitherPullsNorCounts) {
   for (const int p : fit.points) on_object += covered.is_covered[std::size_t(p)];
   EXPECT_LT(on_object, 0.02 * double(fit.points.size()));
   EXPECT_GT(fit.points.size(), 2500u);
-  // What parts of the face leave open is a covariance.
+  // The doubt from parts of the face is a covariance.
   EXPECT_LT((fit.doubt - fit.doubt.transpose()).norm(), 1e-9);
   EXPECT_GT(principalAxes(fit.doubt).values[0], -1e-9);
 }

@@ -1,5 +1,5 @@
-// The field against what must hold of any distance field: its gradient is its derivative, bricks join, and
-// the file of one skin is no other skin's.
+// General properties of a distance field: its gradient is its derivative, bricks join, and the file of one
+// skin is refused for another.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ TEST(ScalpField, TheGradientIsTheDistancesDerivative) {
       }
       off.push_back((here.gradient - derivative).norm());
     }
-    // Where the two places lie in different cells, the derivative is that of neither.
+    // If the two places lie in different cells, the derivative is that of neither.
     std::sort(off.begin(), off.end());
     EXPECT_LT(off[off.size() * 9 / 10], 0.01f);
   }
@@ -76,7 +76,7 @@ TEST(ScalpField, KnowsTheBoxOfItsSkin) {
 }
 
 TEST(ScalpField, TurnsWithItsSkin) {
-  // The grids lie elsewhere on the head then: the distance must not care.
+  // The grids lie elsewhere on the head then; the distance must not change.
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.15, Eigen::Vector3d(0.3, 0.5, 0.8).normalized()).toRotationMatrix();
   SkinModel turned = modelHead().skin();
@@ -99,7 +99,7 @@ class KeptField : public ::testing::Test {
       std::filesystem::path(::testing::TempDir()) / ("kept_field_" + std::to_string(::getpid()) + ".bin");
   ~KeptField() override { std::filesystem::remove(path_); }
 
-  /// The file with one byte changed is refused.
+  /// Returns true if the changed file is refused.
   bool isRefusedWith(const std::string& content) {
     writeWholeFile(path_, content);
     return !ScalpField::read(modelField().skin(), path_);

@@ -56,7 +56,7 @@ TEST(SkinPatches, AverageWhatLiesInThem) {
 TEST(SkinPatches, ResidualsBeyondTheLimitsAreLeftOutAndCounted) {
   auto matches = onAPlane(11.9, 400, 0.0, 0.05);
   for (std::size_t m = 0; m < 100; ++m) matches[m].residual_mm = 2.0f;     // hair
-  for (std::size_t m = 100; m < 150; ++m) matches[m].residual_mm = 50.0f;  // another thing altogether
+  for (std::size_t m = 100; m < 150; ++m) matches[m].residual_mm = 50.0f;  // another object
   for (std::size_t m = 150; m < 200; ++m) matches[m].is_valid = false;
   const auto patches = gatherPatches(matches, {12.0, 1.0, 1.0}, kBefore, kPivot);
   ASSERT_EQ(patches.size(), 1u);

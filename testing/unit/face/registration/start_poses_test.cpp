@@ -44,7 +44,7 @@ TEST(StartPoses, CoverEveryRollAndHeadsTurnedByFortyFiveDegrees) {
     worst_quick_deg = std::max(worst_quick_deg, nearest_deg(quick, wanted));
     worst_fine_deg = std::max(worst_fine_deg, nearest_deg(fine, wanted));
   }
-  // From 30 degrees the fit finds the head (aligner_test).
+  // The fit finds the head from 30 degrees (aligner_test).
   EXPECT_LT(worst_quick_deg, 28);
   EXPECT_LT(worst_fine_deg, 20);
   for (const auto& r : fine) expectRotation(r);
@@ -81,7 +81,7 @@ TEST(StartPoses, HintsGiveTheOrientation) {
   start.patient_superior = Direction<Camera>(truth.col(2));
   ASSERT_TRUE(hintedOrientation(start));
   EXPECT_LT(rotationAngle(truth.transpose() * *hintedOrientation(start)), 1e-6);
-  // A right that is not square to superior is made so; superior holds.
+  // A right that is not perpendicular to superior is corrected; superior stays.
   start.patient_right = Direction<Camera>(truth.col(0) + 0.3 * truth.col(2));
   expectRotation(*hintedOrientation(start));
   EXPECT_LT((hintedOrientation(start)->col(2) - truth.col(2)).norm(), 1e-6);
@@ -107,7 +107,7 @@ TEST(StartPoses, HintsThatSayNothingAreNone) {
   AlignmentStart start;
   start.patient_superior = Direction<Camera>(Eigen::Vector3d(0, 0.1, -1));  // along the view: any roll
   EXPECT_FALSE(hintedOrientation(start));
-  start.patient_right = start.patient_superior;  // right and up the same way
+  start.patient_right = start.patient_superior;  // right and up are parallel
   EXPECT_FALSE(hintedOrientation(start));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A rectified pair in closed form: a smooth random texture on a surface whose disparity is a plane. Without
-// pixels, noise or interpolation of its own: what a matcher is off by is the matcher's.
+// A rectified pair in closed form: a smooth random texture on a surface whose disparity is a plane. It has no
+// pixels, noise or interpolation, so that any error is the matcher's.
 
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -81,7 +81,7 @@ struct Accuracy {
   double found = 0, mean_px = 0, rms_px = 0, worst_px = 0;
 };
 
-/// Of the pixels `margin` inside the image.
+/// Accuracy over the pixels `margin` inside the image.
 inline Accuracy accuracyOf(const cv::Mat& disparity, const cv::Mat& truth, int margin = 12) {
   Accuracy a;
   int count = 0, all = 0;

@@ -26,7 +26,7 @@ Eigen::Isometry3d motionOf(int frame) {
   return motion;
 }
 
-/// The sphere as one frame measures it: its middle moved by `motion`, each point off along its ray.
+/// Sphere as one frame measures it: its middle moved by `motion`, each point displaced along its ray.
 FaceCloud seenAt(const cameras::StereoRig& rig, const Eigen::Isometry3d& motion, unsigned seed,
                  double wrong_share = 0) {
   const auto surface = support::sphere(motion * kMiddle, kRadius_mm);
@@ -58,7 +58,7 @@ FusedCloud fusedOf(const cameras::StereoRig& rig, int frames, double wrong_share
 }
 
 struct Errors {
-  double rms_mm = 0, within = 0;  // share within the stated deviation
+  double rms_mm = 0, within = 0;  // share within the given deviation
 };
 
 Errors errorsOf(const FusedCloud& fused, int least_frames) {

@@ -34,7 +34,7 @@ struct MatchAccuracy {
   int gross = 0;  // off by more than 1 px
 };
 
-// Where the right image sees the surface and windows fit.
+// Evaluates pixels where the right image sees the surface and windows fit.
 MatchAccuracy accuracyOf(const DisparityMap& map, const cv::Mat& truth) {
   MatchAccuracy e;
   int count = 0, all = 0;
@@ -84,11 +84,11 @@ TEST(FieldMatcher, DotsAreMatchedToATwentyfifthOfAPixel) {
   const MatchAccuracy converged = accuracyOf(match(surface, options), surface.truth_px);
   EXPECT_LT(converged.rms_px, 0.030);
   EXPECT_EQ(converged.gross, 0);
-  EXPECT_GT(converged.normalised, 0.6);  // the deviation stated is about true
+  EXPECT_GT(converged.normalised, 0.6);  // the given deviation is about true
   EXPECT_LT(converged.normalised, 1.6);
 }
 
-// OpenCV's matcher shares no code with ours: where the two agree, both are right.
+// OpenCV's matcher shares no code with ours; agreement supports both.
 TEST(FieldMatcher, AgreesWithOpenCvsSemiGlobalMatcher) {
   const auto surface = dotted();
   const MatchOptions options;
@@ -195,8 +195,8 @@ TEST(FieldMatcher, APredictedSurfaceNeedsNoSearch) {
   EXPECT_GT(predicted.found, 0.98);
 }
 
-// Whatever the images hold, each matcher comes back (no loop of it waits for a number to converge) and what
-// it believes is finite and inside the range searched.
+// For any images each matcher terminates, and its accepted disparities are finite and inside the searched
+// range.
 TEST(DenseMatchers, ComeBackFromImagesThatHoldNothingToMatch) {
   const float nan = std::numeric_limits<float>::quiet_NaN(),
               infinite = std::numeric_limits<float>::infinity();

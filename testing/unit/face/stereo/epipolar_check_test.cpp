@@ -39,7 +39,7 @@ TEST(EpipolarCheck, IsBlindToGainAndOffset) {
 
 TEST(EpipolarCheck, ADisparityThatIsSlightlyOffIsNoRowError) {
   AnalyticScene scene = analyticScene({20.0});
-  scene.plane.d = 20.2;  // what the map claims
+  scene.plane.d = 20.2;  // what the map contains
   EXPECT_LT(*medianOf(scene), 0.05);
 }
 

@@ -17,7 +17,8 @@ struct CloudAccuracy {
   int points = 0, outliers = 0;  // outliers: more than 2 mm off along the ray
 };
 
-// Along the ray of each left pixel; points on the surface at more than `farthest_mm` are not counted.
+// Compares along the ray of each left pixel; points on the surface at more than `farthest_mm` are not
+// counted.
 CloudAccuracy compare(const FaceCloud& face, const support::Scene& scene, const cameras::StereoRig& rig,
                       const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& normal_at,
                       double farthest_mm = 1e9) {
@@ -78,7 +79,7 @@ TEST(FaceCloud, DottedPlaneIsMeasuredToAFifthOfAMillimetre) {
   EXPECT_LT(std::abs(a.bias_mm), 0.02);
   EXPECT_LT(a.outliers, a.points / 500);
   EXPECT_LT(a.mean_normal_deg, 2.5);
-  EXPECT_GT(a.normalised, 0.5);  // the sigma stated is about true
+  EXPECT_GT(a.normalised, 0.5);  // the given sigma is about true
   EXPECT_LT(a.normalised, 2.0);
   EXPECT_LT(face.epipolar_median_px.value(), 0.1);
 }

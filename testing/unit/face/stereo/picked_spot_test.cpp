@@ -23,7 +23,7 @@ constexpr int kEvery_px = 45;
 bool anywhere(const Point<Camera>&) { return true; }
 bool nearFace(const Point<Camera>& place) { return place.mm.z() > 480 && place.mm.z() < 620; }
 
-/// Too little to measure is nothing, too.
+/// Measures a spot; returns nothing also if there is too little to measure.
 std::optional<PickedSpot> spotOrNothing(const StereoRig& rig, const StereoFrame& frame, PictureSide side,
                                         const Eigen::Vector2d& px,
                                         const std::function<bool(const Point<Camera>&)>& mayLie) {
@@ -56,7 +56,7 @@ TEST(PickedSpot, LiesOnTheSurfaceFromEitherPicture) {
       ASSERT_TRUE(from_left && from_right) << offset.transpose();
       EXPECT_LT((from_left->point.mm - truth_mm).norm(), 0.5);
       EXPECT_LT((from_right->point.mm - truth_mm).norm(), 0.5);
-      // What is stated is the error of plain skin, whatever the dots on this ball would allow.
+      // The given error is that of plain skin, independent of the dots on this ball.
       const double depth_mm = truth_mm.z(), skin_mm = kPlainSkinError_px * depth_mm * depth_mm /
                                                       (rig.left.k(0, 0) * rig.baseline_mm());
       EXPECT_GT(from_left->sigma_mm, skin_mm);
@@ -102,8 +102,8 @@ TEST(PickedSpot, APixelOutsideThePictureIsRefused) {
                Error);
 }
 
-/// A real person before three cameras (../shared/data/real_faces): the middle picture's spots, measured with
-/// the left camera and with the right one, are one place. The moments are not those that the limits were
+/// A real person before three cameras (../shared/data/real_faces): spots of the middle picture, measured with
+/// the left camera and with the right one, coincide. The moments differ from those that the limits were
 /// chosen on; the person is the same.
 TEST(PickedSpot, OfAPhotographIsOnePlaceWhicheverCameraMeasuresIt) {
   const auto folder = scenes::sharedData() / "real_faces";

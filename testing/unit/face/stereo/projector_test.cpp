@@ -45,8 +45,7 @@ struct ScenePlane {
   double d;
 };
 
-/// Where the projector's light falls: for each pixel of a camera, the projector pixel that lights it. Of two
-/// planes the nearer one is seen.
+/// Projector pixel that lights each pixel of a camera. Of two planes the nearer one is seen.
 cv::Mat lightMap(const cameras::StereoRig& rig, bool is_left, const std::vector<ScenePlane>& planes) {
   const auto projector = trueProjector();
   const Eigen::Isometry3d camera_T_eye =
@@ -147,7 +146,7 @@ TEST(ProjectorCalibration, FindsTheKnownProjector) {
   EXPECT_GT(result.places, 2000);
   EXPECT_LT(result.rms_px, 0.4);
   EXPECT_LT(result.held_out_px, 0.4);
-  // Where it lights the middle of the head, and 60 mm around.
+  // Checks the light at the middle of the head, and 60 mm around.
   for (const Eigen::Vector3d& at :
        {Eigen::Vector3d(0, 0, 560), {50, 20, 540}, {-40, -40, 520}, {0, 30, 600}}) {
     const auto wanted = cameras::project(truth.lens, truth.projector_T_camera.isometry() * at),

@@ -20,7 +20,7 @@ using testing::analyticScene;
 using testing::AnalyticScene;
 using testing::truthOf;
 
-/// The truth of each 4 x 4 pixels, off by half a pixel up and down.
+/// True disparity of each 4 x 4 pixels, changed by half a pixel up and down.
 cv::Mat startOf(const AnalyticScene& scene) {
   cv::Mat blocks((scene.images.left.rows + 3) / 4, (scene.images.left.cols + 3) / 4, CV_32F);
   for (int y = 0; y < blocks.rows; ++y)

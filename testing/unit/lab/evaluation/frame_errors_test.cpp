@@ -1,4 +1,4 @@
-// Figures of single frames and runs, from errors that are put in.
+// Figures of single frames and runs, from given errors.
 
 #include "facenav/evaluation/frame_errors.h"
 

@@ -1,4 +1,4 @@
-// Each goal's verdict a little inside and a little outside its stated limit, and what does not count for it.
+// Each goal's verdict a little inside and a little outside its limit, and data that must not change it.
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ Verdict verdict(const std::vector<RunRecord>& runs, const std::string& start) {
   return goal(runs, start).verdict;
 }
 
-/// Turned about the target of perfectRun.
+/// Pose turned about the target of perfectRun.
 Eigen::Isometry3d turnedAtTarget(double deg) {
   return shifted(0, 0, 600) * turned(deg, Eigen::Vector3d::UnitX()) * shifted(0, 0, -600);
 }

@@ -9,12 +9,12 @@ inline Eigen::Isometry3d shifted(double x_mm, double y_mm = 0.0, double z_mm = 0
   return Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, z_mm));
 }
 
-/// Turned about an axis through the origin.
+/// Pose turned about an axis through the origin.
 inline Eigen::Isometry3d turned(double deg, const Eigen::Vector3d& axis) {
   return Eigen::Isometry3d(Eigen::AngleAxisd(deg * M_PI / 180, axis));
 }
 
-/// `frames` frames of a head at z = 600 mm, tracked without error. The target is Mri's origin.
+/// Run of `frames` frames of a head at z = 600 mm, tracked without error. The target is Mri's origin.
 inline RunRecord perfectRun(const std::string& scenario, int frames) {
   RunRecord run;
   run.scenario = scenario;

@@ -21,7 +21,7 @@ Mask emptyMask(int n, double spacing_mm = 1) {
   return mask;
 }
 
-/// Voxels low..high along each axis.
+/// Mask of voxels low..high along each axis.
 Mask box(const Eigen::Array3i& low, const Eigen::Array3i& high, double spacing_mm = 1) {
   Mask mask = emptyMask(32, spacing_mm);
   for (int k = low[2]; k <= high[2]; ++k)

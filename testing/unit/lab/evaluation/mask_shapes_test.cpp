@@ -15,7 +15,7 @@ namespace {
 
 using volume::Mask;
 
-/// The voxels of a grid whose centres are inside; `size` voxels per side about the origin.
+/// Mask of the voxels whose centres are inside; `size` voxels per side about the origin.
 Mask maskOf(int size, const Eigen::Vector3d& spacing_mm,
             const std::function<bool(const Eigen::Vector3d&)>& inside) {
   Mask mask;
@@ -150,7 +150,7 @@ TEST(Perturbation, APointComesBackWhereItsVoxelCameFrom) {
   const Mask brain = ball(20, {3, -2, 1});
   for (const auto& all : {standardPerturbations(), hardHeads()})
     for (const auto& p : all) {
-      if (p.spacing_mm > 0 || p.neck_mm > 0) continue;  // the voxels are others
+      if (p.spacing_mm > 0 || p.neck_mm > 0) continue;  // the voxels differ
       const auto other = perturbed(mri, brain, p, 3);
       ASSERT_EQ(other.voxels.size(), mri.voxels.size()) << p.name;
       for (const Eigen::Vector3d& ijk : {Eigen::Vector3d(0, 0, 0), {10, 40, 22}, {63, 5, 60}})

@@ -1,4 +1,4 @@
-// CSV, Markdown, HTML and SVG with names and failures that hold separators, quotes and line breaks.
+// CSV, Markdown, HTML and SVG with names and failures that contain separators, quotes and line breaks.
 
 #include <gmock/gmock.h>
 

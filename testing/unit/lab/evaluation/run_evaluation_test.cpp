@@ -211,7 +211,7 @@ TEST(CloudEvaluation, MeasuresTheErrorAlongTheRayAndTheCoverage) {
   EXPECT_NEAR(half.coverage_percent, 50.0, 5.0);
 }
 
-/// The upper half of the face off by one amount, the lower one by another.
+/// The upper half of the face has one error, the lower one another.
 TEST(CloudEvaluation, SaysWhatNeighboursShare) {
   const Plane plane;
   const auto measured = [&](double upper_mm, double lower_mm) {

@@ -1,4 +1,4 @@
-// The skin of a real head stays where it is, whatever a scanner adds beside it.
+// The skin of a real head stays in place with everything that a scanner may add beside it.
 
 #include "facenav/evaluation/skin_additions.h"
 

@@ -32,7 +32,7 @@ std::map<int, LabelStatistics> statistics() {
   return {{0, {0, 0, 0, 0, 0}}, {2, {1, 160, 5, 0, 0}}, {24, {2, 40, 5, 0, 0}}, {514, {3, 90, 5, 0, 0}}};
 }
 
-/// Nothing is drawn but the means.
+/// Ranges in which only the means are drawn.
 SyntheticRanges plain() {
   SyntheticRanges ranges;
   ranges.turn_deg = ranges.bend_mm = 0, ranges.least_size = ranges.most_size = 1;

@@ -54,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, CoilMount,
                                            Place{"hand_area_left_further_back", {-0.50, -0.35, 0.80}, 1.0},
                                            Place{"hand_area_right", {0.58, -0.08, 0.81}, -1.0},
                                            Place{"foot_area", {-0.05, -0.15, 0.98}, 1.0},
-                                           // Here the coil's own wing covered the white border at one place.
+                                           // Regression: here the coil's own wing covered the white border at
+                                           // one place.
                                            Place{"behind_the_crown", {0.03, -0.23, 0.97}, 1.0},
                                            Place{"dorsolateral_prefrontal_left", {-0.55, 0.55, 0.63}, 1.0},
                                            Place{"face_area_left", {-0.85, 0.05, 0.52}, 1.0}),

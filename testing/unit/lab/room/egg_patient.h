@@ -13,7 +13,7 @@ inline std::shared_ptr<const room::VirtualPatient> eggPatient() {
       room::makePatient(room::ellipsoid({2.0, 5.0, -10.0}, {75.0, 95.0, 110.0}, 60), {}, monitor));
 }
 
-/// Small images make tests of poses fast.
+/// Rig with small images, which make tests of poses fast.
 inline room::RigOptions smallRig() {
   room::RigOptions rig;
   rig.width_px = 160;

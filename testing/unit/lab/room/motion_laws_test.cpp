@@ -1,4 +1,4 @@
-// The laws that scripts of the room keep: smooth starts, limits of size and speed, blinks, the same for a
+// Properties of all scripts of the room: smooth starts, limits of size and speed, blinks, the same for a
 // seed.
 
 #include <gtest/gtest.h>

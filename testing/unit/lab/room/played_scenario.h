@@ -8,7 +8,7 @@
 
 namespace facenav::testing {
 
-/// `frames`: 0 for all of the scenario.
+/// Options of a scenario with a small rig. `frames`: 0 for the whole scenario.
 inline room::ScenarioOptions smallScenario(const char* name, int frames = 0) {
   room::ScenarioOptions options;
   options.name = name;

@@ -44,7 +44,7 @@ TEST(ProjectorRoom, AFaceCalibratesTheProjector) {
   EXPECT_LT(worst_px, 2.0);
 }
 
-/// Mistakes that a person makes: one sentence each, and no calibration.
+/// Mistakes that a person makes: each gives one sentence and no calibration.
 class ProjectorMistakes : public ::testing::Test {
  protected:
   ProjectorMistakes() {

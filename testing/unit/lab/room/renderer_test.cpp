@@ -1,4 +1,4 @@
-// The room's pictures and their truth: where a known place appears, who hides whom, light and shadow.
+// The room's pictures and their truth: position of a known point, occlusion, light and shadow.
 
 #include "optics/renderer.h"
 

@@ -45,7 +45,7 @@ TEST(Scenario, EachOfTheTableCanBePlayedToItsEnd) {
 TEST(Scenario, DriftMovesTheRightCameraSlowlyInTheAxisAskedFor) {
   const Played played;
   const char* const about[] = {"yaw", "pitch", "roll", "shift"};
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {  // in turn, where no axis is given
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {  // in turn, if no axis is given
     auto options = named("drift", 31);
     options.seed = seed;
     const auto script = played(options);

@@ -1,4 +1,4 @@
-// The sensors as stated: noise, exposure, tone, blur, glare, compression.
+// The sensors' options: noise, exposure, tone, blur, glare, compression.
 
 #include <gtest/gtest.h>
 

@@ -30,7 +30,7 @@ TEST(SyntheticSource, AnotherSeedGivesOtherImages) {
   EXPECT_GT(cv::norm(a.next()->left, b.next()->left, cv::NORM_INF), 0.0);
 }
 
-/// A view is rendered once until something moves: nothing of an earlier moment may stay in the images.
+/// A view is rendered once until something moves; no part of an earlier moment may stay in the images.
 TEST(SyntheticSource, ImagesDoNotDependOnWhatWasRenderedBefore) {
   const auto patient = testing::eggPatient();
   const auto isSame = [](const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0.0; };

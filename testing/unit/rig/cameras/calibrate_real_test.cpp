@@ -131,6 +131,6 @@ TEST(CalibrateRealData, ThirteenOpenCvPairsReachAQuarterPixel) {
   EXPECT_EQ(result.usedViews(), 13);
   EXPECT_LE(result.rms_px, 0.25);
   EXPECT_LE(result.held_out_rms_px, 0.25);
-  EXPECT_NEAR(result.rig.left.k(0, 0), 534, 5);  // as intrinsics.yml of the same package says, 5.36e2
+  EXPECT_NEAR(result.rig.left.k(0, 0), 534, 5);  // as in intrinsics.yml of the same package, 5.36e2
   EXPECT_GT(result.rig.right_T_left.inverse().translation_mm().x(), 0);
 }

@@ -43,7 +43,7 @@ TEST(Calibrate, RecoversTheRigFromCorners) {
   EXPECT_NEAR(result.rig.baseline_mm(), rig.baseline_mm(), 0.15);
   EXPECT_THAT(result.rig.right_T_left, support::PoseNear(rig.right_T_left, 0.1, 0.8));
   EXPECT_GT(result.held_out_rms_px, result.rms_px * 0.95);
-  // What counts in the end: the depth of a point 600 mm away, projected by the true rig and measured with the
+  // The relevant error: depth of a point 600 mm away, projected by the true rig and measured with the
   // calibrated one.
   const Eigen::Vector3d p(20, -30, 600);
   const Eigen::Vector3d measured =
@@ -151,7 +151,7 @@ TEST(Calibrate, StandardErrorsCoverTheTruth) {
     EXPECT_GT(result.at_head.length_mm, 0.0);
   }
   EXPECT_LT(std::sqrt(squares / count), 1.3);
-  EXPECT_GT(std::sqrt(squares / count), 0.4);  // the stated errors are not many times too large either
+  EXPECT_GT(std::sqrt(squares / count), 0.4);  // the given errors are not many times too large either
   EXPECT_LT(double(beyond_two) / count, 0.1);
 }
 

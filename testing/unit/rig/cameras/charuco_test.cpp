@@ -21,7 +21,7 @@ const Board kBoard = [] {
 }();
 constexpr int kPrint_px_by_square = 60;
 
-/// The print as OpenCV draws it, one square 60 px.
+/// Print as OpenCV draws it, one square 60 px.
 const cv::Mat& print() {
   static const cv::Mat image = [] {
     const auto dictionary = cv::aruco::getPredefinedDictionary(predefinedDictionary(kBoard.dictionary));
@@ -67,7 +67,7 @@ cv::Mat photograph(const CameraModel& camera, const Eigen::Isometry3d& view_T_pr
   return noisy;
 }
 
-/// Boards before the rig. Every third is so near, or so far to the side, that it is cut off.
+/// Photographs of boards before the rig. Every third is so near, or so far to the side, that it is cut off.
 std::vector<CalibrationPair> photographs(const StereoRig& rig, int count) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);

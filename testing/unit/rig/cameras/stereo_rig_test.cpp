@@ -45,7 +45,7 @@ std::string goodRigText() {
   return readWholeFile(folder.path() / "stereo.yml");
 }
 
-// The text without the key's whole entry (up to the next key at the start of a line).
+// Removes the key's whole entry (up to the next key at the start of a line).
 std::string without(const std::string& text, const std::string& key) {
   return std::regex_replace(text, std::regex("(^|\n)" + key + ":[^\n]*(\n [^\n]*)*"), "$1");
 }
@@ -279,7 +279,7 @@ TEST(StereoRig, NotesAndTheEffectAtTheHeadAreWritten) {
   EXPECT_DOUBLE_EQ(double(yaml["effect_length_mm"]), 0.07);
   EXPECT_DOUBLE_EQ(double(yaml["effect_motion_mm"]), 0.05);
   EXPECT_DOUBLE_EQ(double(yaml["effect_motion_deg"]), 0.011);
-  EXPECT_EQ(readRig(file).width_px, 640);  // keys that it does not know are no error
+  EXPECT_EQ(readRig(file).width_px, 640);  // unknown keys are no error
 }
 
 TEST(StereoRig, AFileWithoutNotesIsReadAsWell) {

@@ -1,4 +1,4 @@
-// The IEEE 1394 backend against a bus of the tests: no such camera was at hand.
+// The IEEE 1394 backend against a fake bus; not tested with a real camera.
 
 #include <gmock/gmock.h>
 
@@ -215,7 +215,7 @@ TEST(Dc1394, FaultsAreSaidInPlainWords) {
   EXPECT_EQ(camera->counts().damaged, 2);
 }
 
-/// On a machine without such a bus it lists none, and says nothing.
+/// On a machine without such a bus it lists none, and prints nothing.
 TEST(Dc1394, WithoutABusThereIsNoCamera) {
   const auto backend = makeDc1394Backend();
   EXPECT_NO_THROW(backend->list());

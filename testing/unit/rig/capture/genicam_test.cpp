@@ -73,7 +73,7 @@ TEST(Genicam, AGigECameraKeepsTheContractOfCameras) {
   testing::expectCameraContract(bench);
 }
 
-/// Aravis needs eight seconds to notice: the contract of cameras tries it.
+/// GigE camera that can be unplugged; Aravis needs eight seconds to notice.
 class PluggedInGigE : public FakeGigE {
  public:
   bool unplug(bool) override { return false; }
@@ -118,7 +118,7 @@ TEST(Genicam, ExposureAndGainAreSetAndReadBack) {
                                      "focus: the lens is focused by hand"));
 }
 
-// Aravis 0.8.26's fake GigE camera takes the command and gives no picture for it; its fake device ignores
+// Aravis 0.8.26's fake GigE camera accepts the command without sending a picture; its fake device ignores
 // triggers.
 TEST(Genicam, ASoftwareTriggerReachesTheCameraAndNoPictureComesWithoutIt) {
   FakeGigE bench;

@@ -11,8 +11,8 @@
 namespace facenav::capture {
 namespace {
 
-/// A screen that shows a change 22 ms late, and a camera at 60 pictures a second: 8 ms exposure, 12 ms until
-/// its picture is here. The field fills a part of the picture; elsewhere is noise.
+/// Screen that shows a change 22 ms late, and a camera at 60 pictures a second: 8 ms exposure, 12 ms
+/// transport. The field fills a part of the picture; elsewhere is noise.
 class SimulatedRoom {
  public:
   explicit SimulatedRoom(LatencyMeter& meter, double field_grey = 200)
@@ -60,8 +60,8 @@ TEST(LatencyMeter, FindsTheKnownDelays) {
   const auto result = meter.result();
   EXPECT_GE(result.changes, 78);
   EXPECT_EQ(result.missed, 0);
-  // A picture shows a change if half of its exposure is lit: it begins 18 ms after the change at the earliest
-  // and one interval later at the latest; it is here 20 ms after its beginning.
+  // A picture shows a change if half of its exposure is lit. It begins 18 ms after the change at the earliest
+  // and one interval later at the latest; it arrives 20 ms after its beginning.
   EXPECT_NEAR(result.p50_ms, 38 + 0.5 * 1000 / 60, 2.0);
   EXPECT_NEAR(result.p95_ms, 38 + 0.95 * 1000 / 60, 2.0);
   EXPECT_NEAR(result.camera_ms, 20, 0.01);

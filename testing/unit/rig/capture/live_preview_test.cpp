@@ -10,7 +10,7 @@
 namespace facenav::capture {
 namespace {
 
-/// Frames every `interval_s` of their own clock; after the last one a failure or the end.
+/// Source of frames every `interval_s` of their own clock; after the last one a failure or the end.
 class Frames : public FrameSource {
  public:
   Frames(int count, double interval_s, bool fails) : count_(count), interval_s_(interval_s), fails_(fails) {}

@@ -14,7 +14,7 @@ constexpr double kInterval_s = 1.0 / 30;
 
 CameraPicture pictureAt(double s, std::int64_t sequence) { return {cv::Mat(), {s}, sequence}; }
 
-/// Both cameras run for `count` pictures; pictures come in the order of their times.
+/// Runs both cameras for `count` pictures, which arrive in the order of their times.
 struct TwoCameras {
   double right_late_s = 0, jitter_s = 0, drift = 0;  // drift: of the right clock
   std::vector<int> left_dropped = {}, right_dropped = {};
@@ -153,7 +153,7 @@ TEST(ClockMap, AStalledComputerIsNoJump) {
   EXPECT_EQ(clock.steps(), 0);
 }
 
-/// 30 pictures a second are sent, and `read_hz` are read: the delay grows without end.
+/// 30 pictures a second are sent, and `read_hz` are read: the delay grows without limit.
 TEST(ClockMap, AReaderThatLagsMoreAndMoreGetsTrueAges) {
   ClockMap clock;
   double arrival_s = 0, first_late_s = 0;
@@ -178,7 +178,7 @@ TEST(ClockMap, AReaderThatLagsMoreAndMoreGetsTrueAges) {
 TEST(ClockMap, ABacklogAfterALongStallIsNoJump) {
   ClockMap clock;
   for (int i = 0; i < 400; ++i) {
-    const double true_s = i * kInterval_s, late_s = i < 100 ? 0.0 : 3.0;  // it is never made up for
+    const double true_s = i * kInterval_s, late_s = i < 100 ? 0.0 : 3.0;  // the delay is never recovered
     ASSERT_NEAR(clock.map(7 + true_s, true_s + 0.002 + late_s), true_s + 0.002, 0.025) << i;
   }
   EXPECT_EQ(clock.steps(), 0);

@@ -49,7 +49,7 @@ TEST(RecordingErrors, NameWhatIsMissing) {
               HasSubstr("plain_right"));
 }
 
-// The folder goes after the recording was opened: its disk was unplugged, or somebody emptied it.
+// The folder vanishes after the recording was opened, as if its disk was unplugged.
 TEST(RecordingErrors, AFolderThatHasVanishedIsSaidToBeMissing) {
   const auto messageOfStart = [](const std::function<void(const fs::path&)>& damage) {
     support::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Cameras of the tests' own kernel that are unplugged, or hang, and come back while a session reads them.
+// Cameras of a fake kernel that are unplugged, or hang, and return while a session reads them.
 
 #include "facenav/capture/returning_cameras.h"
 
@@ -16,7 +16,7 @@ class ReturningCamerasTest : public ::testing::Test {
   std::unique_ptr<FrameSource> make() {
     return makeReturningCameras([this] { return testing::openPair(left_, right_, 0.3); });
   }
-  /// The first frame within `limit_s` that has pictures, or has none; all others are checked on the way.
+  /// Returns the first frame within `limit_s` that has pictures, or has none; checks all others.
   std::shared_ptr<const cameras::StereoFrame> until(FrameSource& source, bool has_pictures,
                                                     double limit_s = 10) {
     for (const double end_s = Timestamp::now().s + limit_s; Timestamp::now().s < end_s;) {
@@ -49,7 +49,7 @@ TEST_F(ReturningCamerasTest, AnUnpluggedOneIsSaidAndReadAgainWhenItIsBack) {
   const Timestamp begin = Timestamp::now();
   for (int i = 0; i < 5; ++i) ASSERT_TRUE(until(*source, false)) << "it stays away";
   EXPECT_LT(Timestamp::now() - begin, 5 * 0.24) << "a session takes an older state for stale";
-  // What the camera forgot while it had no power is set again.
+  // Settings that the camera lost without power are set again.
   right_.camera().controls.at(V4L2_CID_EXPOSURE_AUTO).value = V4L2_EXPOSURE_APERTURE_PRIORITY;
   right_.unplug(false);
   ASSERT_TRUE(until(*source, true));

@@ -110,7 +110,7 @@ TEST(RigStore, ItsPlaceIsTheUsersConfiguration) {
   before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
 }
 
-/// Lists two webcams of a kernel of the tests.
+/// Lists two webcams of a fake kernel.
 class TwoWebcams : public CameraBackend {
  public:
   explicit TwoWebcams(std::shared_ptr<testing::FakeV4l2> kernel) : kernel_(std::move(kernel)) {}
@@ -184,7 +184,7 @@ TEST(RigStore, AdjustmentsThatDifferAreSetAgainOrNamed) {
     EXPECT_EQ(left[V4L2_CID_EXPOSURE_ABSOLUTE].value, 80);
   }
   EXPECT_TRUE(restoredSettings(*openRig(backends, rig)).empty()) << "as it was left";
-  // A camera that forgets at its start is set once more; what was found before counts.
+  // A camera that loses its settings at the start is set once more; the earlier findings are valid.
   left[V4L2_CID_EXPOSURE_ABSOLUTE].forgets_at_start = true;
   left[V4L2_CID_EXPOSURE_ABSOLUTE].at_start = 333;
   EXPECT_TRUE(restoredSettings(*openRig(backends, rig)).empty());

@@ -1,5 +1,5 @@
 #pragma once
-// A Video4Linux camera of a kernel of the tests (support/fake_v4l2.h), as the contract tests take it.
+// A Video4Linux camera of a fake kernel (support/fake_v4l2.h) for the contract tests.
 
 #include "support/camera_contract.h"
 #include "support/fake_v4l2.h"
@@ -32,7 +32,7 @@ class V4l2Bench : public testing::CameraBench {
 
   FakeV4l2Camera& camera() { return *camera_; }
   FakeV4l2& kernel() { return *kernel_; }
-  /// Opened, configured and started.
+  /// Returns an opened, configured and started camera.
   std::unique_ptr<Camera> running() {
     auto opened = open();
     opened->configure(settings());

@@ -1,4 +1,4 @@
-// Which Video4Linux cameras are there, and what is said about them.
+// The list of Video4Linux cameras and its words.
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -88,7 +88,7 @@ TEST_F(V4l2List, ACameraInUseIsNamedWithTheProgramThatHasIt) {
   EXPECT_THAT(inWords(found[1]), HasSubstr("in use by cheese (process 4711)"));
   std::filesystem::create_directories(root() / "proc" / std::to_string(::getpid()) / "fd");
   std::filesystem::create_symlink("/dev/video2", root() / "proc" / std::to_string(::getpid()) / "fd" / "9");
-  EXPECT_EQ(list()[1].use, FoundCamera::Use::free);  // this program has it, for its own pictures
+  EXPECT_EQ(list()[1].use, FoundCamera::Use::free);  // this program uses it for its own pictures
   kernel_->cameras["/dev/video0"]->open_error = EACCES;
   EXPECT_THAT(adviceOn(list())[0], HasSubstr("this user may not open it: ask your administrator"));
 }

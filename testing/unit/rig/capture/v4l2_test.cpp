@@ -1,4 +1,4 @@
-// The Video4Linux backend against a kernel of the tests (support/fake_v4l2.h).
+// The Video4Linux backend against a fake kernel (support/fake_v4l2.h).
 
 #include <gmock/gmock.h>
 

@@ -14,8 +14,8 @@ using ::testing::HasSubstr;
 
 constexpr double kFrames_per_s = 60.0;
 
-/// What the tracker would say of the right camera: its motion since the key frame, beyond what is corrected.
-/// Half of the error is new in each frame, half lasts for a second.
+/// Simulates the tracker's measurement of the right camera: its motion since the key frame, beyond the
+/// correction. Half of the error is new in each frame, half lasts for a second.
 class SeenCamera {
  public:
   explicit SeenCamera(unsigned seed, double error = 1.0) : random_(seed), error_(error) {}
@@ -30,7 +30,7 @@ class SeenCamera {
     seen.covariance = sigma_.cwiseAbs2().asDiagonal();
     seen.moved = true_moved - used - at_key_ + M_SQRT1_2 * error_ * (drawn() + lasting_);
     seen.key = seen.newest_key = key_;
-    // Half of a turn sideways looks like depth: 3 mm in 0.06 deg.
+    // Half of a sideways rotation looks like depth: 3 mm in 0.06 deg.
     seen.pose_by_moved(5, 1) = 3000.0, seen.pose_by_moved(4, 0) = 300.0;
     RigObservation observation;
     observation.captured = Timestamp{frame / kFrames_per_s};
@@ -39,7 +39,7 @@ class SeenCamera {
     observation.right_camera = seen;
     return observation;
   }
-  /// The face is learnt again, with the camera as it stands now and as it is thought to stand.
+  /// Renews the key frame with the camera's true pose and its estimate.
   void renewKey(const Vector6d& true_moved, const CameraDrift& drift) {
     const Eigen::Isometry3d corrected =
         drift.right_T_left().isometry() * testing::convergingRig().right_T_left.isometry().inverse();
@@ -134,7 +134,7 @@ TEST(CameraDrift, SaysHowFarTheFollowedCameraMayStandOff) {
 TEST(CameraDrift, AFaceThatIsLearntAgainDoesNotHideTheMotion) {
   CameraDrift drift(testing::convergingRig());
   SeenCamera seen(5);
-  // Too slow to be seen against a face that is learnt again every second: 0.01 deg a second.
+  // Too slow to detect against a key frame that is renewed every second: 0.01 deg a second.
   for (int frame = 0; frame < 720; ++frame) {
     const Vector6d moved = yawOf(0.12 * frame / 720.0);
     if (frame % 60 == 59) seen.renewKey(moved, drift);

@@ -20,7 +20,7 @@ cv::Mat texture(int seed) {
   return picture;
 }
 
-/// The same, every point moved by kShift_px.
+/// Shifts every point of the picture by kShift_px.
 cv::Mat moved(const cv::Mat& picture) {
   cv::Mat out;
   const cv::Matx23d by(1, 0, kShift_px.x(), 0, 1, kShift_px.y());

@@ -29,9 +29,9 @@ StereoRig turnedRig(const StereoRig& rig, const Eigen::Vector3d& turn_deg, const
   return other;
 }
 
-/// 120 points of a face and 60 of the shoulders, 0.2 px of noise, every twelfth match wrong; `step`: how the
-/// face has moved when the right camera exposes, the shoulders by a third of it, and a grimace by
-/// `grimace_mm`.
+/// Matches of 120 points of a face and 60 of the shoulders, 0.2 px of noise, every twelfth match wrong.
+/// `step`: motion of the face until the right camera exposes; the shoulders move by a third of it, and a
+/// grimace by `grimace_mm`.
 Matches seen(const StereoRig& rig, const Eigen::Isometry3d& step = Eigen::Isometry3d::Identity(),
              double grimace_mm = 0, unsigned seed = 3) {
   std::mt19937 random(seed);
@@ -108,7 +108,7 @@ TEST(PairDiagnosis, NamesPicturesOfDifferentMoments) {
   }
 }
 
-/// 600 points of a face, as `seen` makes them.
+/// Matches of 600 points of a face, made as by `seen`.
 Matches seenSkin(const StereoRig& rig, const Eigen::Isometry3d& step = Eigen::Isometry3d::Identity(),
                  double grimace_mm = 0) {
   Matches skin;
@@ -185,7 +185,7 @@ TEST_F(RealPair, OfDifferentMomentsIsNamed) {
   EXPECT_EQ(faultOf(rig("mr"), matches("m_1252", "r_1669")), RigState::out_of_step);
 }
 
-// The corners of eyes and brows alone fit a moved camera here.
+// The corners of eyes and brows alone would fit a moved camera here.
 TEST_F(RealPair, OfDifferentMomentsIsNamedByTheSkin) {
   for (const auto& [cameras, left, right] :
        {std::tuple("lm", "l_418", "m_835"), std::tuple("lm", "l_835", "m_418"),

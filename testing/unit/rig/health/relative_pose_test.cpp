@@ -279,7 +279,7 @@ TEST(SharedResidual, KeepsWhatNeighboursShareAndDropsWhatTheyDoNot) {
   EXPECT_NEAR(sharedResidual(truePose(), matches, left_px, 10), 0, 1e-6);
   auto lifted = matches;
   for (auto& pair : lifted)
-    pair.right.y() += 3 * pair.sigma;  // all alike: about 3 sigmas, less its own share
+    pair.right.y() += 3 * pair.sigma;  // all have the same sign: about 3 sigmas, less its own share
   const double shared = sharedResidual(truePose(), lifted, left_px, 100);
   EXPECT_NEAR(shared, 3.0, 0.3);
   EXPECT_NEAR(sharedResidual(truePose(), lifted, left_px, 1.0), 1.0, 1e-9) << "limited";

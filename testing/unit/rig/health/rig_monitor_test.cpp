@@ -37,8 +37,8 @@ class Scene {
     }
     return points;
   }
-  /// As in a real pair: every tenth match is wrong by pixels, all in one corner of the face where a
-  /// silhouette passes.
+  /// Adds wrong matches as in a real pair: every tenth is off by pixels, all in one corner of the face where
+  /// a silhouette passes.
   std::vector<Correspondence> faceWithWrongMatches(int count) {
     std::vector<Correspondence> points = face(count);
     const double corner_px = project(truth_.left, middle(620) + Eigen::Vector3d(40, 0, 0)).x();
@@ -113,7 +113,7 @@ TEST(RigMonitor, IsSilentOnRigsThatAreAsWellCalibratedAsRealOnes) {
   }
 }
 
-/// Rigs as clinics build them: f 600-1000 px, baseline 60-200 mm, converging.
+/// Random rigs as clinics build them: f 600-1000 px, baseline 60-200 mm, converging.
 StereoRig someRig(std::mt19937& random) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -155,7 +155,7 @@ TEST(RigMonitor, SeesCamerasThatMovedDespiteWrongMatches) {
     const Eigen::Vector3d axis = Eigen::Vector3d(normal(random), 0, normal(random)).normalized();
     seen += judgeFace(rig, moved(rig, angle_deg(random) * axis, {0, 0, 0}), seed).hasMoved();
   }
-  // With a short lens, 0.1 degrees of roll have less effect on a face than a calibration's error.
+  // 0.1 degrees of roll with a short lens have less effect on a face than a calibration's error.
   EXPECT_GE(seen, 55) << "of 60";
   RecordProperty("seen_of_60", seen);
 }

@@ -1,5 +1,5 @@
-// Does a rig still fit? Pictures of a board and of the coil's marker, rendered with the calibrated rig and
-// with rigs that differ from it by a known amount.
+// Tests whether a rig still fits: pictures of a board and of the coil's marker, rendered with the calibrated
+// rig and with rigs that differ from it by a known amount.
 
 #include "facenav/health/verify_rig.h"
 
@@ -62,7 +62,7 @@ TEST(VerifyRig, ARigThatHoldsIsSaidToHoldWithItsNumbers) {
 
 TEST(VerifyRig, SaysHowFarTheBoardMovedBetweenTheMeasurements) {
   const auto result = verifiedByBoard(calibration());
-  // As boardFrame() places it; the board's middle lies 30 mm above that of the print.
+  // Pose as by boardFrame(); the board's middle lies 30 mm above that of the print.
   const auto first = scene::markerPose(600, 20, 10, 0, {-15, 20}),
              last = scene::markerPose(660, 15, 220, 10, {15, 4}),
              second = scene::markerPose(560, 30, 100, 5, {0, 12});

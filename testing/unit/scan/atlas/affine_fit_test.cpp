@@ -1,5 +1,5 @@
-// A made brain (an ellipsoid with folds) and the same brain moved by a known affine map: moments, affine fit,
-// demons.
+// A synthetic brain (an ellipsoid with folds) and the same brain moved by a known affine map: moments, affine
+// fit, demons.
 
 #include "affine_fit.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 const Eigen::Vector3d kRadii_mm(34, 44, 30);
 
-/// T1 of the made brain at a point of MNI space; 0 outside.
+/// T1 of the synthetic brain at a point of MNI space; 0 outside.
 double made(const Eigen::Vector3d& p) {
   if (p.cwiseQuotient(kRadii_mm).norm() > 1) return 0;
   return 100 + 25 * std::sin(p.x() / 6) * std::cos(p.y() / 7) + 20 * std::sin(p.z() / 5 + p.y() / 11) +
@@ -29,7 +29,7 @@ struct Brain {
   volume::Mask mask;
 };
 
-/// The brain as a scan in which a point x of MNI space lies at mri_from_mni x.
+/// Scan of the brain in which a point x of MNI space lies at mri_from_mni x.
 Brain scanned(const Eigen::Affine3d& mri_from_mni, int size = 60, double spacing_mm = 2.0) {
   Brain brain;
   auto& grid = brain.t1.grid;

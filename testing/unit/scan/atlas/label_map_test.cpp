@@ -1,4 +1,4 @@
-// Labels and lobes of made label maps, and atlas maps whose values are known; files that are no atlas.
+// Labels and lobes of synthetic label maps, and atlas maps whose values are known; files that are no atlas.
 
 #include <gmock/gmock.h>
 
@@ -82,7 +82,7 @@ TEST(LabelAt, HoldsForAGridThatCountsFromTheRight) {
   EXPECT_EQ(labelAt(map, {-10, 0, 0}, 1).name, "two");
 }
 
-/// One label in the middle, as AAL names it.
+/// Lobe of one label in the middle, under its AAL name.
 std::string lobeOf(const std::string& aal, const Point<Mni>& at = {0, 0, 0}) {
   LabelMap map = twoVoxels({1, 1, 1}, {0, 0, 0}, {0, 0, 0});
   std::fill(map.labels.voxels.begin(), map.labels.voxels.end(), 0.f);

@@ -30,7 +30,7 @@ struct MadePatient {
   volume::Mask brain;
 };
 
-/// With a bias field of +-30 %.
+/// Makes the patient with a bias field of +-30 %.
 MadePatient madePatient(const volume::Volume& brain) {
   MadePatient patient;
   auto& grid = patient.mri.grid;

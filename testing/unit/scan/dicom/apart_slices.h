@@ -27,7 +27,7 @@ inline dicom::ImportedVolume import(const std::filesystem::path& folder,
   return dicom::importVolume(folder, id, monitor);
 }
 
-/// Oblique, so that no flip or turn goes unseen.
+/// Oblique slice, so that every flip or rotation is detected.
 inline Slice oblique() {
   Slice s;
   const Eigen::AngleAxisd turn(0.3, Eigen::Vector3d(0.2, 0.5, 0.8).normalized());
@@ -61,14 +61,14 @@ inline void expectSameVolume(const volume::Volume& a, const volume::Volume& b) {
   EXPECT_TRUE(a.voxels == b.voxels);
 }
 
-/// `slices` as one series under one UID.
+/// Loads `slices` as one series under one UID.
 inline volume::Volume properVolume(const std::vector<Slice>& slices) {
   const TemporaryFolder folder;
   writeSlices(folder.path(), slices);
   return load(list(folder.path()).at(0));
 }
 
-/// The same places a second time, with other values.
+/// Copies the slices at the same positions, with other values.
 inline std::vector<Slice> again(std::vector<Slice> slices) {
   for (Slice& s : slices)
     for (int& value : s.values) value = 4095 - value;

@@ -13,7 +13,7 @@
 
 namespace facenav::testing {
 
-/// Every voxel of one lies within 1e-3 mm of a voxel of the other with exactly the same value.
+/// Expects each voxel of one within 1e-3 mm of a voxel of the other with exactly the same value.
 inline void expectSameInWorld(const volume::Volume& actual, const volume::Volume& expected) {
   const volume::Volume a = volume::toRasOrder(actual), b = volume::toRasOrder(expected);
   ASSERT_EQ(a.grid.size, b.grid.size);
@@ -35,7 +35,7 @@ inline bool hasProgram(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// What dcm2niix makes of a folder; empty when it makes none or several volumes.
+/// Volume that dcm2niix makes of a folder; empty if it makes none or several.
 inline std::optional<volume::Volume> dcm2niixVolume(const std::filesystem::path& folder) {
   const TemporaryFolder out;
   const std::string command =

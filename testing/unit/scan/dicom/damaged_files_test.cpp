@@ -1,4 +1,4 @@
-// Whatever the file, reading it ends in a volume or in one facenav::Error: no crash, no other exception.
+// Reading any file ends in a volume or in one facenav::Error: no crash, no other exception.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::string readBytes(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Lists and loads; true when a volume came out.
+/// Lists and loads; returns true if it gave a volume.
 bool survives(const std::filesystem::path& input) {
   TaskMonitor monitor;
   bool has_volume = false;
@@ -52,11 +52,11 @@ TEST(DamagedFiles, OddRealFilesEndInOneLine) {
     SCOPED_TRACE(entry.path().string());
     survives(entry.path());
   }
-  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");  // GDCM and its codecs keep quiet
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");  // GDCM and its codecs print nothing
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-/// A scanner's raw data: half a gigabyte in one element, on disc a hole.
+/// A scanner's raw data: half a gigabyte in one element, sparse on the disk.
 TEST(DamagedFiles, RawDataOfHalfAGigabyteIsNotReadToBeListed) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "raw";
@@ -94,7 +94,7 @@ TEST(DamagedFiles, SeededMutationsOfEverySyntax) {
     writeBytes(victim, good);
     EXPECT_TRUE(survives(folder.path()));
   }
-  EXPECT_GT(volumes, 50);  // some damage is harmless: the trials do reach the pixels
+  EXPECT_GT(volumes, 50);  // some damage is harmless, so the trials do reach the pixels
 }
 
 struct Compressed {
@@ -153,7 +153,7 @@ TEST(DamagedFiles, LengthsThatLieAreRefusedBeforeAnythingIsAllocated) {
   const TemporaryFolder folder;
   Slice slice = makeSlices(1)[0];
   DataSetBytes header = headerOf(slice);
-  // 4 GB of private data, promised by twelve bytes.
+  // 4 GB of private data, declared by twelve bytes.
   const std::string lie = header.bytes() + std::string("\x09\x50\x10\x10OB\0\0\xFE\xFF\xFF\xFF", 12);
   writeBytes(folder.path() / "in", std::string(128, '\0') + "DICM" + lie);
   TaskMonitor monitor;

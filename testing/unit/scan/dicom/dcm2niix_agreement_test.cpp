@@ -1,5 +1,5 @@
-// Voxel values exactly, world positions within 1e-3 mm, as an independent reader (Debian's dcm2niix) gives
-// them.
+// Compares voxel values exactly, and world positions within 1e-3 mm, with an independent reader (Debian's
+// dcm2niix).
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Dcm2niixAgreement, RealGeAxialHasTheSameValuesAndKeepsItsPositions) {
   auto expected = dcm2niixVolume(folder);
   ASSERT_TRUE(expected);
   EXPECT_EQ(volume::toRasOrder(actual).voxels, volume::toRasOrder(*expected).voxels);
-  // By dcmdump: brain_001, brain_011 and brain_020, LPS.
+  // Positions by dcmdump: brain_001, brain_011 and brain_020, LPS.
   const Eigen::Vector3d first(-110.5, -78.3063, -72.7575), middle(-110.5, -87.7063, -3.35753),
       last(-110.5, -96.2063, 59.0425);
   const Eigen::DiagonalMatrix<double, 3> ras_from_lps(-1, -1, 1);
@@ -203,7 +203,7 @@ TEST(Dcm2niixAgreement, FragmentedFramesAreReadWhole) {
   }
 }
 
-// dcm2niix refuses 12-bit JPEG. Lossy, so DCMTK's own decoder tells what it holds.
+// dcm2niix refuses 12-bit JPEG. It is lossy, so DCMTK's own decoder gives the expected values.
 TEST(Dcm2niixAgreement, TwelveBitJpegEqualsDcmtksDecoder) {
   FACENAV_NEEDS_PROGRAM("dcmcjpeg");
   FACENAV_NEEDS_PROGRAM("dcmdjpeg");

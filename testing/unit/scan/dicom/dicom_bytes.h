@@ -75,7 +75,7 @@ class DataSetBytes {
   std::string bytes_;
 };
 
-/// Preamble, meta header, data set.
+/// File with preamble, meta header and data set.
 inline std::string fileOf(const DataSetBytes& data_set) {
   DataSetBytes meta(explicitLittle());
   meta.raw(0x00020010, "UI", data_set.syntax().uid);
@@ -100,9 +100,9 @@ struct Slice {
   std::string patient_name = "Secret^Name", patient_id = "id", character_set, contrast_agent;
   std::string sop_class = "1.2.840.10008.5.1.4.1.1.4";
   std::string study_uid = "1.2.3", frame_uid, series_time,
-              acquisition_time;  // the last three: left out where empty
+              acquisition_time;  // the last three: omitted if empty
   int instance = 1, acquisition = 0;
-  double gap = 0;  // Spacing Between Slices; left out where 0
+  double gap = 0;  // Spacing Between Slices; omitted if 0
   Eigen::Vector3d position{-100, -80, 0}, row{1, 0, 0}, column{0, 1, 0};
   double row_spacing = 1.0, column_spacing = 1.0, thickness = 1.5;
   std::vector<int> values;  // rows * columns
@@ -172,7 +172,7 @@ inline std::vector<Slice> makeSlices(int count, const Slice& first = {}) {
   return makeSlices(count, first, [](Slice&, int) {});
 }
 
-/// Written under names whose order says nothing about the slices' order.
+/// Writes slices under names whose order is not that of the slices.
 inline void writeSlices(const std::filesystem::path& folder, const std::vector<Slice>& slices) {
   for (std::size_t k = 0; k < slices.size(); ++k)
     writeBytes(folder / ("f" + std::to_string(k * 7919 % 10007)), sliceFile(slices[k]));

@@ -11,7 +11,7 @@ struct Enhanced {
   int frames = 10;
   int echoes = 1;
   Syntax syntax;
-  bool has_own_intercepts = true;  // frame k: k
+  bool has_own_intercepts = true;  // intercept of frame k is k
 };
 
 inline std::string enhancedFile(const Enhanced& spec) {

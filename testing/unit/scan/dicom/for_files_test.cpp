@@ -1,4 +1,4 @@
-// Many files on all cores: what is reported does not depend on which core was faster.
+// Many files on all cores: the report does not depend on which core was faster.
 
 #include "bytes/for_files.h"
 
@@ -32,7 +32,7 @@ TEST(ForFiles, TheFirstFileThatFailsIsReported) {
     TaskMonitor monitor;
     try {
       dicom::forFiles(200, monitor, "step", [](std::size_t f, std::size_t) {
-        if (f == 40) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the slower one
+        if (f == 40) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // a slow item
         if (f >= 40) throw Error("fault " + std::to_string(f));
       });
       FAIL() << "no fault was reported";

@@ -58,7 +58,7 @@ TEST(JoinedSlices, ProperSeriesStayAsTheyAre) {
   EXPECT_FALSE(list(folder.path()).at(0).joined);
 }
 
-/// Ten series of three slices, alike in everything but their UIDs and places, stay ten.
+/// Ten series of three slices, alike in everything but their UIDs and positions, stay ten.
 TEST(JoinedSlices, TrueSeriesOfSeveralSlicesAreNeverMerged) {
   auto slices = makeSlices(30, oblique());
   for (std::size_t k = 0; k < slices.size(); ++k) slices[k].series_uid = "1.5." + std::to_string(k / 3);

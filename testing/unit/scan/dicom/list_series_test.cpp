@@ -17,7 +17,7 @@ std::vector<dicom::SeriesInfo> listFolder(const std::filesystem::path& folder) {
   return dicom::listSeries(folder, monitor);
 }
 
-/// A head-sized T1: 128 x 128 voxels of 2 x 2 mm would not do, so 1.2 mm over 168 mm and more.
+/// Slice of a head-sized T1: 1.2 mm over more than 168 mm, since 128 x 128 voxels of 2 x 2 mm are refused.
 Slice headSlice(const std::string& uid) {
   Slice s;
   s.rows = s.columns = 160;
@@ -141,8 +141,8 @@ TEST(ListSeries, SaysInWordsWhyNot) {
   }
 }
 
-/// A path may hold the patient's name, so the list's problem is the fault alone. (It was cut out of the
-/// message, where a tab of the path had become a blank.)
+/// A path may contain the patient's name, so the listed problem is the fault alone. A blank in place of the
+/// path's tab once prevented its removal.
 TEST(ListSeries, TheFaultOfADamagedFileIsNamedWithoutItsPath) {
   for (const char* name : {"export", "Doe\tJane; export"}) {
     SCOPED_TRACE(name);
@@ -182,7 +182,7 @@ TEST(ListSeries, OtherFilesArePassedOver) {
   EXPECT_EQ(listFolder(folder.path()).size(), 1u);
 }
 
-/// A table of contents (PS3.10 8): told by the SOP class in its meta header alone.
+/// A table of contents (PS3.10 8), identified only by the SOP class in its meta header.
 std::string dicomDir() {
   DataSetBytes meta(explicitLittle());
   meta.raw(0x00020002, "UI", "1.2.840.10008.1.3.10").raw(0x00020010, "UI", "1.2.840.10008.1.2.1");
@@ -230,7 +230,8 @@ TEST(ImportVolume, SeriesIsChosenByItsId) {
   writeSlices(folder.path() / "2", makeSlices(9, small("1.2", "t2_tse_cor")));
   TaskMonitor monitor;
   EXPECT_EQ(dicom::importVolume(folder.path(), "1.2", monitor).volume.grid.size[2], 9);
-  EXPECT_THROW(dicom::importVolume(folder.path(), std::nullopt, monitor), Error);  // two, none of them a T1
+  EXPECT_THROW(dicom::importVolume(folder.path(), std::nullopt, monitor),
+               Error);  // two series, none of them a T1
   EXPECT_THROW(dicom::importVolume(folder.path(), "1.7", monitor), Error);
 }
 

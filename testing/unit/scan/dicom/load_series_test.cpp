@@ -25,7 +25,7 @@ volume::Volume load(const std::vector<Slice>& slices) {
   return load(folder.path());
 }
 
-/// The one line with which importing these slices is refused; "" when it is not.
+/// Message with which importing these slices is refused; "" if it is not.
 std::string refusalOf(const std::vector<Slice>& slices) {
   const TemporaryFolder folder;
   writeSlices(folder.path(), slices);
@@ -48,7 +48,7 @@ TEST(LoadSeries, LpsBecomesRasAndSlicesAreOrderedByPosition) {
   std::reverse(slices.begin(), slices.end());
   const volume::Volume volume = load(slices);
   ASSERT_EQ(volume.grid.size, (std::array<int, 3>{20, 24, 6}));
-  // PS3.3 C.7.6.2.1.1 by hand: voxel (2, 3, 4) at LPS (-10 + 2.2, -20 + 2.7, 30 + 6).
+  // Expected by PS3.3 C.7.6.2.1.1: voxel (2, 3, 4) at LPS (-10 + 2.2, -20 + 2.7, 30 + 6).
   EXPECT_LT((volume.grid.toMri({2, 3, 4}).mm - Eigen::Vector3d(7.8, 17.3, 36)).norm(), 1e-9);
   EXPECT_EQ(volume.at(2, 3, 4), float((2 * 7 + 3 * 131 + 4 * 1009) % 4096));
   EXPECT_EQ(volume.orientation_source, "DICOM");
@@ -81,7 +81,7 @@ TEST(LoadSeries, TwelveBitsSignedAreTwosComplementWithinTheStoredBits) {
   Slice first;
   first.is_signed = true;
   const auto extended = makeSlices(5, first);
-  auto bare = extended;  // the same without the sign carried into the unused bits
+  auto bare = extended;  // the same without sign extension into the unused bits
   for (Slice& s : bare)
     for (int& value : s.values) value &= 0xFFF;
   for (const auto& slices : {extended, bare})

@@ -11,7 +11,7 @@ namespace facenav::testing {
 
 inline std::string mutated(std::string bytes, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return std::size_t(random()) % std::max<std::size_t>(1, n); };
-  // Most of the damage goes to the header: that is where it hurts.
+  // Most of the damage goes to the header, where it has most effect.
   const std::size_t reach = below(4) ? std::min<std::size_t>(bytes.size(), 4096) : bytes.size();
   switch (below(5)) {
     case 0:
@@ -37,7 +37,7 @@ inline std::string mutated(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// Slices that all carry the encapsulated pixels of one real file, so that damage reaches the codecs.
+/// Slices that all contain the encapsulated pixels of one real file, so that damage reaches the codecs.
 inline std::vector<std::string> compressedSlices(const std::string& file, Slice first,
                                                  const std::string& syntax, int count) {
   const std::size_t at = file.rfind(std::string("\xE0\x7F\x10\0O", 5));

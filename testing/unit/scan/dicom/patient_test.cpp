@@ -106,7 +106,7 @@ std::string nameRead(const std::string& raw, const std::string& character_set) {
   return dicom::patientOf(listPatient(folder.path())[0]).name;
 }
 
-/// Names of PS3.5 annexes H to K, and of Latin, Cyrillic and Greek sets.
+/// Uses names of PS3.5 annexes H to K, and of Latin, Cyrillic and Greek sets.
 TEST(Patient, NamesAreReadInTheFilesOwnCharacterSet) {
   EXPECT_EQ(nameRead("Buc^J\xE9r\xF4me", "ISO_IR 100"), "Buc^J\u00e9r\u00f4me");
   EXPECT_EQ(nameRead("Dvo\xF8\xE1k^Jan", "ISO_IR 101"), "Dvo\u0159\u00e1k^Jan");

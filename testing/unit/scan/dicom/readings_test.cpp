@@ -25,7 +25,7 @@ TEST(Readings, TwoRepetitionsAreAskedAbout) {
   const TemporaryFolder folder;
   writeSlices(folder.path(), both(one, two));
   const auto series = list(folder.path());
-  ASSERT_EQ(series.size(), 3u);  // by acquisition number and by instance order are the same two
+  ASSERT_EQ(series.size(), 3u);  // the readings by acquisition number and by instance order give the same two
   EXPECT_EQ(dicom::readingCount(series), 2);
   std::vector<std::string> ids;
   for (const auto& info : series) {
@@ -93,7 +93,7 @@ TEST(Readings, DenserThanStatedWithRepeatedNumbersIsAskedAbout) {
   EXPECT_EQ(dicom::readingCount(series), 3);
   for (const auto& info : series) EXPECT_EQ(info.slices, info.part == "all slices" ? 24 : 12);
   EXPECT_THROW(import(folder.path()), Error);
-  for (Slice& s : slices) s.gap = 1.5;  // the files say so: one stack
+  for (Slice& s : slices) s.gap = 1.5;  // the files declare one stack
   writeSlices(stated.path(), apart(slices));
   EXPECT_EQ(list(stated.path()).size(), 1u);
 }

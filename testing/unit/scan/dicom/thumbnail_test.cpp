@@ -1,5 +1,4 @@
-// Thumbnails: the middle image in the patient's proportions; nothing, rather than an error, where there is
-// none.
+// Thumbnails: the middle image in the patient's proportions; nothing, rather than an error, if there is none.
 
 #include "facenav/dicom/thumbnail.h"
 

@@ -34,7 +34,7 @@ TEST(WriteSeries, EveryAxisOrderAndFlipComesBack) {
       const auto volume = oddVolume(steps);
       expectSameInWorld(roundTrip(volume, folder.path() / "s"), volume);
       if (has_other &&
-          o == signs % 6) {  // the independent reader on a third of them: it takes a process each
+          o == signs % 6) {  // the independent reader on a third of them, since each takes a process
         const auto other = dcm2niixVolume(folder.path() / "s");
         ASSERT_TRUE(other);
         expectSameInWorld(*other, volume);

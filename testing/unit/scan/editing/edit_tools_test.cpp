@@ -222,7 +222,7 @@ TEST(SliceInterpolation, WorksAlongEachAxis) {
   }
 }
 
-/// Seen from +x, at 300 mm; screen x = y of Mri, screen y = z, in mm at the centre's depth.
+/// View from +x, at 300 mm; screen x = y of Mri, screen y = z, in mm at the centre's depth.
 ScalpelView fromTheRight(const Eigen::Vector3d& centre) {
   ScalpelView view;
   view.eye = Point<Mri>(centre + Eigen::Vector3d(300, 0, 0));

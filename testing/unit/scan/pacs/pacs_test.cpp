@@ -1,4 +1,5 @@
-// Against a real archive: stored images are found and come back unchanged, by C-GET and by C-MOVE.
+// PACS client against a real archive: stored images are found and retrieved unchanged, by C-GET and by
+// C-MOVE.
 
 #include "facenav/pacs/pacs.h"
 

@@ -10,8 +10,8 @@
 #include "head_phantom.h"
 #include "support/test_data.h"
 
-// The prior's weights are installed, but its network calls nothing brain. Of its own: the weights are read
-// once in a process.
+// The prior's weights are installed, but its network finds no brain. A separate program, since the weights
+// are read once in a process.
 
 namespace facenav {
 namespace {

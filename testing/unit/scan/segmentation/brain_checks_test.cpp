@@ -11,7 +11,7 @@
 namespace facenav::segmentation {
 namespace {
 
-/// Well within a grid of voxels of 3 mm.
+/// Ball well within a grid of voxels of 3 mm.
 volume::Mask ballOf_ml(double ml) {
   volume::VoxelGrid grid;
   grid.size = {80, 80, 80};

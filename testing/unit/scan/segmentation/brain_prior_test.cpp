@@ -40,7 +40,7 @@ double diceOf(const BrainPrior& prior) {
   return volume::overlap(volume::resample(prior.mask(), phantom().brain.grid), phantom().brain).dice;
 }
 
-/// The phantom in a scan that holds `more_mm` of air on one side of each axis.
+/// Phantom in a scan with `more_mm` of air on one side of each axis.
 Volume inMoreAir(const Eigen::Vector3d& more_mm) {
   volume::VoxelGrid grid = phantom().volume.grid;
   const Eigen::Vector3d h = grid.spacing_mm();
@@ -101,7 +101,8 @@ TEST(HeadWindow, HoldsTheVoxelsAboutItsPlaceAndBlackBeyondTheScan) {
 }
 
 TEST(LocalEvidence, FollowsTheContrastOfEachPlace) {
-  // Inside is the brighter side on the left and the darker one on the right; shading is steeper than both.
+  // The inside is the brighter side on the left and the darker one on the right; shading is steeper than
+  // both.
   Volume image;
   image.grid.size = {80, 40, 40};
   Mask inside{image.grid, std::vector<std::uint8_t>(image.grid.count())};
@@ -144,7 +145,7 @@ TEST(ContrastSeen, HasAKindForEachContrast) {
   EXPECT_EQ((ContrastSeen{1.1, 1}).kind(), ContrastKind::proton_density);
 }
 
-/// A box of `grid` from `low` to before `high`, without a slit of `slit` voxels in its middle.
+/// Box of `grid` from `low` to before `high`, without a slit of `slit` voxels in its middle.
 Mask slitBox(const volume::VoxelGrid& grid, int low, int high, int slit) {
   Mask mask{grid, std::vector<std::uint8_t>(grid.count())};
   for (int k = low; k < high; ++k)

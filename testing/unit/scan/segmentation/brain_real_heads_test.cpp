@@ -15,8 +15,8 @@
 #include "facenav/volume/smoothing.h"
 #include "support/test_data.h"
 
-// The brain's mask of real heads: Colin27's brain, a mask of an independent network; and the same head
-// scanned otherwise.
+// Brain masks of real heads: Colin27's against the mask of an independent network; and the same head in other
+// scans.
 
 namespace facenav {
 namespace {
@@ -26,7 +26,7 @@ volume::Mask brainOf(const volume::Volume& volume) {
   return segmentation::makeBrainSegmenter()->segment(volume, monitor).mask;
 }
 
-/// Found once for all tests.
+/// Mask of Colin27's brain, found once for all tests.
 const volume::Mask& brainOfColin27() {
   static const volume::Mask brain = brainOf(volume::readNifti(testing::colin27()).volume);
   return brain;
@@ -67,7 +67,7 @@ TEST(BrainOfRealHead, LiesInsideTheMaskWithFluidOfAWholeHead) {
   EXPECT_GE(overlap.dice, 0.92);
 }
 
-/// Where the coil goes: there the sagittal sinus and the skull's marrow touch the crowns.
+/// Checks the coil's region, where the sagittal sinus and the skull's marrow touch the crowns.
 TEST(BrainOfRealHead, LeavesOutSinusAndMarrowAtTheVertex) {
   FACENAV_NEEDS(testing::virtualPatientMri());
   const auto reference = testing::sharedData() / "masks/brainbrowser_structural1_with_csf.nii.gz";
@@ -92,7 +92,7 @@ TEST(BrainOfRealHead, LeavesOutSinusAndMarrowAtTheVertex) {
   EXPECT_GE(inside / count, 0.99);
 }
 
-/// How far the mask moves (1 - Dice) when the scan is perturbed as `name` says.
+/// Change of the mask (1 - Dice) when the scan is perturbed by `name`.
 double movedBy(const std::string& name, const volume::Volume& head, const volume::Mask& brain) {
   for (const auto& perturbation : evaluation::standardPerturbations())
     if (perturbation.name == name) {

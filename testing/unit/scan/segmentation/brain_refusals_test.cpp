@@ -10,7 +10,7 @@
 #include "facenav/segmentation/segmenter.h"
 #include "head_phantom.h"
 
-// What is no T1 MR of a head is refused in words, before a mask is made of it.
+// Anything but a T1 MR of a head is refused in words, before a mask is made of it.
 
 namespace facenav {
 namespace {
@@ -36,7 +36,7 @@ const HeadPhantom& plainHead() {
   return head;
 }
 
-/// To Hounsfield units: soft tissue 33 to 45, bone 900, air -1000.
+/// Phantom in Hounsfield units: soft tissue 33 to 45, bone 900, air -1000.
 HeadPhantom computedTomogram() {
   PhantomOptions quiet;
   quiet.noise = 0.005;
@@ -47,7 +47,7 @@ HeadPhantom computedTomogram() {
 
 TEST(BrainSegmenter, FindsTheBrainOfAComputedTomogramWithinItsSkullAndSaysSo) {
   HeadPhantom head = computedTomogram();
-  for (const char* modality : {"CT", ""}) {  // a NIfTI does not say what it is
+  for (const char* modality : {"CT", ""}) {  // a NIfTI does not give its modality
     head.volume.modality = modality;
     TaskMonitor monitor;
     const auto found = makeBrainSegmenter()->segment(head.volume, monitor);

@@ -32,7 +32,7 @@ const HeadPhantom& plainHead() {
   return head;
 }
 
-/// Found once for all tests.
+/// Result for the plain phantom, computed once for all tests.
 const segmentation::SegmentationResult& plainBrain() {
   static const auto result = [] {
     TaskMonitor monitor;
@@ -130,7 +130,7 @@ TEST(BrainSegmenter, WarnsOfABrainCutByTheScansEdge) {
   EXPECT_NE(all.find("cut by the scan's edge at the top"), std::string::npos) << all;
 }
 
-/// Share of the phantom's dura that the mask holds.
+/// Share of the phantom's dura inside the mask.
 double duraWithin(const volume::Mask& brain, const HeadPhantom& head) {
   return volume::overlap(head.dura, brain).inside;
 }

@@ -20,7 +20,7 @@ TEST(BrainStart, IsTheBrainsOwnWhereverTheFirstBallLay) {
     return centredOnBrain(coarse, start, 0.45, monitor);
   };
   const BrainStart here = from(Eigen::Vector3d::Zero(), 0);
-  // As far as turns of 20 degrees move the ball that top and girth give; a third of that may be left.
+  // Rotations of 20 degrees move the ball by this much, by its top and girth; a third of it may remain.
   const Eigen::Vector3d shift_mm(4, -9, -6);
   for (double side : {-1.0, 1.0}) {
     const BrainStart there = from(side * shift_mm, side * 3);

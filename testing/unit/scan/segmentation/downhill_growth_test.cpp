@@ -9,8 +9,8 @@
 namespace facenav::segmentation {
 namespace {
 
-/// The values (hundredths) on a row through the middle of a grid; all else is no way. The row's first voxel
-/// is the seed. Which voxels of it are reached: one digit each.
+/// Grows along a row through the middle of a grid, whose values (hundredths) are given; all other voxels are
+/// blocked. The row's first voxel is the seed. Returns one digit per voxel: 1 if it was reached.
 std::string reached(const std::vector<float>& values, double rise = 0.05) {
   volume::Volume image;
   image.grid.size = {int(values.size()) + 2, 3, 3};

@@ -12,18 +12,18 @@ namespace facenav::testing {
 
 struct PhantomOptions {
   double spacing_mm = 1.5;
-  double size = 1.0;    // of the head: 0.85 is a child's
-  double noise = 0.03;  // of white matter's value
+  double size = 1.0;    // size of the head: 0.85 is a child's
+  double noise = 0.03;  // share of white matter's value
   double gain = 1.0, offset = 0.0;
   double bias = 0.0;       // log gain from back to front
-  bool has_dura = false;   // a lump of it at the vertex, as bright as cortex, beyond a film of fluid
-  bool has_tissue = true;  // else one value throughout the brain, as CT shows it
+  bool has_dura = false;   // a piece of dura at the vertex, as bright as cortex, beyond a film of fluid
+  bool has_tissue = true;  // if false, one value throughout the brain, as CT shows it
 };
 
 struct HeadPhantom {
   volume::Volume volume;
   volume::Mask brain;  // with its sulci closed: the pial ellipsoid, cerebellum included
-  volume::Mask dura;   // empty unless asked for
+  volume::Mask dura;   // empty unless requested
 };
 
 inline HeadPhantom makeHeadPhantom(const PhantomOptions& options = {}) {

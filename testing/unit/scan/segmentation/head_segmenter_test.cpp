@@ -78,7 +78,7 @@ TEST(HeadSegmenter, DropsTheHeadHolderOfACt) {
   EXPECT_GT(volume::overlap(headOf(scan), truth(phantom, scan.grid)).dice, 0.97);
 }
 
-/// Values changed place by place.
+/// Changes the values by their position.
 template <class Change>
 void change(volume::Volume& scan, Change&& changed) {
   std::size_t v = 0;

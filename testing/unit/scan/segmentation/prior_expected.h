@@ -1,6 +1,5 @@
 #pragma once
-// What torch gives for the test's pattern: made by
-// resources/training/brain_prior/expected.py.
+// Torch's results for the test's pattern, made by resources/training/brain_prior/expected.py.
 
 namespace facenav::segmentation {
 

@@ -60,7 +60,7 @@ TEST(PriorNetwork, RefusesWeightsThatAreNotWholeAndSaysWhere) {
   EXPECT_NE(faultOf(folder.path() / "absent").find("are missing"), std::string::npos);
 }
 
-/// As the definition of a convolution says, in double precision.
+/// Convolution by its definition, in double precision.
 std::vector<double> plainlyConvolved(const convolution::Task& task) {
   std::vector<double> out;
   for (std::ptrdiff_t row = 0; row < task.rows; ++row)

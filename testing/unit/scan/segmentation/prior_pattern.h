@@ -1,5 +1,5 @@
 #pragma once
-// The pattern that resources/training/brain_prior/expected.py shows to torch.
+// The pattern that resources/training/brain_prior/expected.py passes to torch.
 
 #include <cmath>
 

@@ -11,8 +11,8 @@
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/smoothing.h"
 
-// The point spread that an image shows, against images of which it is known: steps between grey and white
-// matter along curved surfaces, blurred by kernels of known variance.
+// The point spread measured in an image, on images with a known one: steps between grey and white matter
+// along curved surfaces, blurred by kernels of known variance.
 
 namespace facenav::segmentation {
 namespace {

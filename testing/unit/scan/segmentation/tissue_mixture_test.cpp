@@ -13,7 +13,7 @@
 #include "prior/prior_refinement.h"
 #include "prior/stated_doubt.h"
 
-// What fits the prior's outline to a scan that is no clear T1: classes by local histograms, and the average
+// Fitting the prior's outline to a scan that is no clear T1: classes by local histograms, and the average
 // over several views.
 
 namespace facenav::segmentation {
@@ -25,7 +25,7 @@ using volume::Volume;
 constexpr int kSide = 60;
 constexpr int kTissueTop = 30, kPriorTop = 34, kFluidTop = 40;  // the prior's outline lies 4 mm too far out
 
-/// Tissue below, then fluid, then the rest; in the tissue a sulcus of 6 mm that the prior does not know.
+/// Tissue below, then fluid, then the rest; in the tissue a sulcus of 6 mm that the prior does not contain.
 struct Layers {
   Volume image;
   TissueShares shares;
@@ -59,7 +59,7 @@ std::vector<float> logOddsIn(const Layers& layers) {
   return tissueLogOdds(layers.image, layers.shares, layers.depth_mm, PriorUse());
 }
 
-/// Share of the voxels at height `k`, beside the sulcus or in it, that are tissue.
+/// Share of tissue among the voxels at height `k`, beside the sulcus or in it.
 double tissueShareAt(const Layers& layers, const std::vector<float>& log_odds, int k, bool in_sulcus) {
   double count = 0, tissue = 0;
   for (int j = 10; j < kSide - 10; ++j)

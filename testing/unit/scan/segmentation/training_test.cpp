@@ -11,7 +11,7 @@
 #include "support/run_program.h"
 #include "support/test_data.h"
 
-// The training programme on balls: a few steps, a stop, a few more. The network here reads what it wrote.
+// The training program on balls: a few steps, a stop, a few more. The network here reads its output.
 
 namespace facenav::segmentation {
 namespace {
@@ -26,7 +26,7 @@ struct Expected {
   float share[kPriorClasses] = {};
 };
 
-/// As expected.py prints them.
+/// Reads the values that expected.py prints.
 std::vector<Expected> expectedIn(const std::filesystem::path& header) {
   std::vector<Expected> all;
   std::ifstream stream(header);
@@ -48,7 +48,7 @@ TEST(BrainPriorTraining, TrainsStopsGoesOnAndItsWeightsGiveTorchsProbabilitiesHe
       testing::runProgram(kPython, "-B '" + script.string() + "' '" + folder.path().string() + "'", kSmoke_s);
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_NE(run.output.find("{\"step\": 2, \"heads\": 4,"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("{\"step\": 4, \"heads\": 8,"), std::string::npos) << run.output;  // it went on
+  EXPECT_NE(run.output.find("{\"step\": 4, \"heads\": 8,"), std::string::npos) << run.output;  // it continued
   EXPECT_NE(run.output.find("{\"step\": 1, \"heads\": 2,"), std::string::npos)
       << run.output;  // from another start
   const auto expected = expectedIn(folder.path() / "expected.h");

@@ -8,7 +8,7 @@
 #include "support/skin_phantom.h"
 #include "support/test_data.h"
 
-// Of its own: the weights are read once in a process.
+// A separate program, since the weights are read once in a process.
 
 namespace facenav {
 namespace {

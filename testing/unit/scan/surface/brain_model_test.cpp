@@ -36,7 +36,7 @@ struct Ellipsoid {
   volume::Mask brain;
 };
 
-/// Value 100 inside, 10 outside, 250 in balls of 9 mm around the marks.
+/// Ellipsoid with value 100 inside, 10 outside, 250 in balls of 9 mm around the marks.
 Ellipsoid makeEllipsoid(const std::vector<Vector3d>& marks_mm, double oblique_rad = 0.3) {
   Ellipsoid e;
   e.volume.grid.size = {120, 140, 110};
@@ -138,7 +138,7 @@ TEST(BrainModel, IsClosedOutwardAndWithoutDegenerateTriangles) {
   }
 }
 
-/// A crumpled brain: gyri, deep folds, a cut at the base. Radii change abruptly from bin to bin.
+/// Folded brain: gyri, deep folds, a cut at the base. Radii change abruptly from bin to bin.
 surface::SphericalMap crumpled(int rows, int columns) {
   surface::SphericalMap map;
   map.rows = rows, map.columns = columns;

@@ -58,7 +58,7 @@ TEST(FaceCheck, AcceptsAScanThatEndsAtMidNoseWithCaution) {
   EXPECT_THAT(scalp.findings, Contains(HasSubstr("scan ends at mid-nose")));
 }
 
-/// The scan without everything below `z_mm`.
+/// Removes everything below `z_mm` from the scan.
 Volume endingAt(const Volume& scan, double z_mm) {
   const Volume whole = volume::toRasOrder(scan);
   Volume cut = whole;

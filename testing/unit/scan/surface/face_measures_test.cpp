@@ -52,7 +52,7 @@ std::string sidesSwapped(std::string name) {
   return name;
 }
 
-/// Expects every measure of `expected` times `scale`, within its stated uncertainty.
+/// Expects every measure of `expected` times `scale`, within its given uncertainty.
 void expectSame(
     const std::vector<FaceMeasure>& actual, const std::vector<FaceMeasure>& expected, double scale,
     const std::function<std::string(std::string)>& renamed = [](std::string name) { return name; }) {

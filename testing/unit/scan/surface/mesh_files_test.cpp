@@ -22,7 +22,7 @@
 namespace facenav::surface {
 namespace {
 
-/// No symmetry, so that an exchanged axis or sign is noticed.
+/// Mesh without symmetry, so that an exchanged axis or sign is detected.
 TriangleMesh tetrahedron() {
   TriangleMesh mesh;
   mesh.vertices_mm = {{-61.25, 12.5, 3.125}, {70.5, 11.75, -2.0}, {5.0, 95.5, 1.25}, {4.5, 20.25, 81.0}};

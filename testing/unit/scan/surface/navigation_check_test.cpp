@@ -23,7 +23,7 @@ struct Ball {
   TriangleMesh skin;
 };
 
-/// A soft-edged ball of kSignal in Rayleigh noise, 1 mm voxels, centred at `centre` (voxels).
+/// Soft-edged ball of kSignal in Rayleigh noise, 1 mm voxels, centred at `centre` (voxels).
 Ball makeBall(double noise, const Eigen::Vector3d& centre = {48, 48, 48}) {
   Ball ball;
   ball.mri.grid.size = {kSize, kSize, kSize};
@@ -70,7 +70,7 @@ TEST(ScanQuality, NoiseAndWhatItDoesToTheSkin) {
   }
 }
 
-/// 5 % of the ball, half the field of view away along y, as with a moving head.
+/// Adds 5 % of the ball, half the field of view away along y, as with a moving head.
 void addGhost(Ball& ball) {
   const auto clean = ball.mri;
   for (int k = 0; k < kSize; ++k)
@@ -104,7 +104,7 @@ TEST(ScanQuality, AFewNegativeVoxelsOfAnInterpolatedMrHideNoGhosts) {
 }
 
 TEST(ScanQuality, GhostsOfACtAreNotMeasurable) {
-  for (const char* modality : {"CT", ""}) {  // a NIfTI does not say what it is
+  for (const char* modality : {"CT", ""}) {  // a NIfTI does not give its modality
     Ball ball = makeBall(10);
     ball.mri.modality = modality;
     for (float& value : ball.mri.voxels) value -= 1000;

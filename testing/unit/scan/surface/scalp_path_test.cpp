@@ -14,7 +14,7 @@ using facenav::testing::EigenNear;
 
 constexpr double kPathBall_mm = 90;
 
-/// A body given by its radius in each direction, with vertices about `step_mm` apart at 90 mm.
+/// Body given by its radius in each direction, with vertices about `step_mm` apart at 90 mm.
 template <class Radius>
 TriangleMesh pathBody(double step_mm, Radius radius) {
   TriangleMesh mesh;
@@ -72,7 +72,7 @@ TEST(ScalpPath, RoughSkinOfAScanHardlyLengthensIt) {
 }
 
 TEST(ScalpPath, GoesRoundAHillWhereThatIsShorter) {
-  // A hill of 25 mm between the two places: over it the way is longer than round it.
+  // A hill of 25 mm between the two places: the way over it is longer than around it.
   const auto hilly = pathBody(1.5, [](const Eigen::Vector3d& n) {
     const double away_mm = kPathBall_mm * (n - Eigen::Vector3d::UnitZ()).norm();
     return kPathBall_mm + 25 * std::exp(-0.5 * away_mm * away_mm / 64);
@@ -118,7 +118,7 @@ TEST(ScalpTape, SpansAHollowInTheAir) {
 }
 
 TEST(ScalpTape, GoesOverSkinThatOverhangsItsEnds) {
-  // From below a brow: the brow stands out in front of the start.
+  // The path starts below a brow, which protrudes in front of the start.
   const auto browed = pathBody(1.0, [](const Eigen::Vector3d& n) {
     const double away_mm = kPathBall_mm * (n - Eigen::Vector3d(std::cos(0.2), 0, std::sin(0.2))).norm();
     return kPathBall_mm + 10 * std::exp(-0.5 * away_mm * away_mm / 64);

@@ -18,7 +18,7 @@ using facenav::testing::TemporaryFolder;
 const Eigen::Vector3d kFrontLow(-90, 0, -75),
     kFrontHigh(90, 118, 15);  // a slab with the nose: quick, and cut on four sides
 
-/// The true head mask, a voxel too large, as masks usually are.
+/// True head mask, dilated by a voxel, as masks usually are.
 volume::Mask maskOf(const SkinPhantom& phantom, const volume::VoxelGrid& grid) {
   volume::Mask mask{grid, std::vector<std::uint8_t>(grid.count())};
   for (int k = 0; k < grid.size[2]; ++k)
@@ -54,7 +54,7 @@ Placement placed(const SkinPhantom& phantom, const Eigen::Vector3d& spacing_mm) 
   return placement(phantom, extractScalp(scan, maskOf(phantom, scan.grid), monitor), scan.grid);
 }
 
-/// `rounds` of (1 2 1) / 4 along each axis; the outermost voxels keep their values.
+/// Blurs by `rounds` of (1 2 1) / 4 along each axis; the outermost voxels keep their values.
 volume::Volume blurred(volume::Volume scan, int rounds) {
   const std::size_t strides[3] = {1, std::size_t(scan.grid.size[0]),
                                   std::size_t(scan.grid.size[0]) * std::size_t(scan.grid.size[1])};
@@ -105,7 +105,7 @@ TEST(ScalpSurface, AirSetToZeroBelowAThresholdDoesNotMoveItOutwards) {
   phantom.dermis_mm = 0;
   TaskMonitor monitor;
   auto scan = phantom.scan({1, 1, 1}, kFrontLow, kFrontHigh);
-  // Blurred like a mean of many scans, then cut at a tenth of the skin's level: as in Colin27.
+  // Blurred like a mean of many scans, then cut at a tenth of the skin's level, as in Colin27.
   scan = blurred(scan, 3);
   const float level = volume::percentile(scan, 0.99), cut = 0.1f * level;
   const auto whole = placement(phantom, extractScalp(scan, maskOf(phantom, scan.grid), monitor), scan.grid);
@@ -143,7 +143,7 @@ double doubtInFront_mm(const SkinPhantom& phantom, const volume::Volume& scan) {
   return skinDoubtUnder_mm(scalp, Point<Mri>(45, 76, -10));
 }
 
-/// Values changed by their distance to the skin, mm.
+/// Changes the values by their distance to the skin, mm.
 template <class Change>
 volume::Volume changedOutside(const SkinPhantom& phantom, volume::Volume scan, Change&& changed) {
   std::size_t v = 0;
@@ -182,7 +182,7 @@ TEST(ScalpSurface, IsNotDoubtedForAirThatAProgramErasedFarFromTheHead) {
 }
 
 TEST(ScalpSurface, IsNotDoubtedWhereFatBelowTheSkinIsBrighter) {
-  // As in Colin27: fat near below the skin on one side, none on the other; air set to zero.
+  // Fat near below the skin on one side, none on the other; air set to zero, as in Colin27.
   SkinPhantom lean, fat;
   lean.dermis_mm = 7, lean.dermis_level = 60;
   fat.dermis_mm = 2.5, fat.dermis_level = 60, fat.fat_level = 160;

@@ -1,5 +1,4 @@
-// Files made here by hand from the formats' descriptions; nibabel, an independent program, reads the same
-// ones.
+// Files made here from the formats' descriptions; nibabel, an independent program, reads the same ones.
 
 #include "facenav/surface/tract_files.h"
 
@@ -33,7 +32,8 @@ void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// A grid of 100 x 120 x 90 voxels of 2 x 1.5 x 3 mm whose axes run left, back, up (LPS), origin as stated.
+/// Header of a grid of 100 x 120 x 90 voxels of 2 x 1.5 x 3 mm whose axes run left, back, up (LPS), origin as
+/// given.
 std::string trkHeader(const std::string& order, int lines, int scalars = 0, int properties = 0) {
   std::string bytes(1000, '\0');
   bytes.replace(0, 5, "TRACK");
@@ -49,7 +49,8 @@ std::string trkHeader(const std::string& order, int lines, int scalars = 0, int 
   return bytes;
 }
 
-/// One line of two points, in voxel mm of the stated order, with the scalars and properties of the header.
+/// File of one line of two points, in voxel mm of the given order, with the scalars and properties of the
+/// header.
 std::string trkFile(const std::string& order, int scalars = 0, int properties = 0) {
   std::string bytes = trkHeader(order, 1, scalars, properties);
   append(bytes, std::int32_t(2));

@@ -45,7 +45,7 @@ TEST(LocalMean, ReachIsInMillimetres) {
   }
 }
 
-/// By its definition: three times, along each axis, the mean over the box.
+/// Local mean by its definition: three times, along each axis, the mean over the box.
 std::vector<float> boxed(const VoxelGrid& grid, std::vector<float> values, double reach_mm) {
   const std::array<int, 3> step{1, grid.size[0], grid.size[0] * grid.size[1]};
   for (int axis = 0; axis < 3; ++axis)

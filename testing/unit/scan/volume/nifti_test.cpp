@@ -173,7 +173,7 @@ TEST(Nifti, SlopeAndInterceptAreApplied) {
   EXPECT_EQ(volume::readNifti(path).volume.at(1, 2, 3), 2 * 321.f - 3);
 }
 
-/// Multiplies all lengths of the header, as a program writes them that counts in another unit.
+/// Multiplies all lengths of the header, like a program that uses another unit.
 void scaleLengths(nifti_1_header& header, float factor) {
   for (int c = 0; c < 4; ++c)
     header.srow_x[c] *= factor, header.srow_y[c] *= factor, header.srow_z[c] *= factor;

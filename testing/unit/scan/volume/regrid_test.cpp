@@ -7,7 +7,7 @@
 namespace facenav::testing {
 namespace {
 
-/// The same voxels stored in another axis order and direction.
+/// Stores the voxels in another axis order and direction.
 volume::Volume permuted(const volume::Volume& from, const std::array<int, 3>& order, int flips) {
   volume::Volume to = from;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();

@@ -5,7 +5,7 @@
 
 namespace facenav::testing {
 
-/// 5 x 6 x 7 voxels of 1.5 x 0.8 x 2 mm, turned, values i + 10 j + 100 k.
+/// Volume of 5 x 6 x 7 voxels of 1.5 x 0.8 x 2 mm, rotated, values i + 10 j + 100 k.
 inline volume::Volume numberedVolume() {
   volume::Volume volume;
   volume.grid.size = {5, 6, 7};

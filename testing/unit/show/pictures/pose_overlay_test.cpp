@@ -10,7 +10,7 @@ namespace {
 
 namespace fakes = session::fakes;
 
-/// Pixels that are not the picture's grey, below the caption.
+/// Number of pixels that are not the picture's grey, below the caption.
 int drawnPixels(const RgbImage& image) {
   int drawn = 0;
   for (int v = 20; v < image.height_px; ++v)
@@ -19,7 +19,7 @@ int drawnPixels(const RgbImage& image) {
   return drawn;
 }
 
-/// A head of 40 mm radius on the left camera's axis, 400 mm away.
+/// Poses of a head of 40 mm radius on the left camera's axis, 400 mm away.
 StoredPoses headInView() {
   StoredPoses poses;
   poses.camera_T_mri = RigidTransform<Camera, Mri>(Eigen::Quaterniond::Identity(), {0, 0, 400});

@@ -24,7 +24,7 @@ std::shared_ptr<const room::VirtualPatient> eggHead(bool has_hair) {
       room::makePatient(room::ellipsoid(kMiddle_mm, kHalf_mm, 60), options, monitor));
 }
 
-/// Where the egg's skin faces `way`, the contact face `gap_mm` above it.
+/// Target where the egg's skin faces `way`, the contact face `gap_mm` above it.
 guidance::Target targetToward(const Eigen::Vector3d& way, double gap_mm = 0) {
   const Eigen::Vector3d squared = kHalf_mm.cwiseAbs2().cwiseProduct(way);
   const Eigen::Vector3d p_mm = kMiddle_mm + squared / std::sqrt(way.dot(squared)), z = -way.normalized();
@@ -56,7 +56,7 @@ cv::Mat light(const RgbImage& picture) {
   return grey;
 }
 
-/// Lit places of the skin in the target's plane, mm, as the left camera photographs them.
+/// Lit points of the skin in the target's plane, mm, as the left camera photographs them.
 std::vector<Eigen::Vector2d> litPlaces(room::SyntheticSource& source, const cv::Mat& picture,
                                        const guidance::Target& target) {
   const auto dark = source.captureWith(std::nullopt).left, lit = source.captureShowing(picture).left;
@@ -77,7 +77,7 @@ struct Circle {
   Eigen::Vector2d centre_mm;
   double radius_mm;
 };
-/// Least squares (Kasa 1976) over the places within `reach_mm` of the plane's middle.
+/// Fits a circle by least squares (Kasa 1976) to the points within `reach_mm` of the plane's middle.
 Circle ringOf(const std::vector<Eigen::Vector2d>& places, double reach_mm) {
   Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -114,8 +114,8 @@ TEST(ProjectedGuide, TheRingsCentreFallsOnTheTargetsPlaceWithinAMillimetre) {
 }
 
 TEST(ProjectedGuide, OnHairItFallsWhereThePlannedGapPutsIt) {
-  // Hair of 2 to 5 mm, planned with 3.5 mm: it may be 1.5 mm thicker or thinner than the plan says, and the
-  // light comes in at up to 45 degrees.
+  // Hair of 2 to 5 mm, planned with 3.5 mm: it may be 1.5 mm thicker or thinner than planned, and the light
+  // comes in at up to 45 degrees.
   const auto ring = projectedRing(true, {-0.4, 0.85, 0.3}, 3.5, 4);
   EXPECT_LT(ring.centre_mm.norm(), 2.0);
 }
@@ -150,7 +150,7 @@ TEST(ProjectedGuide, TheSecondRingClosesAsTheCoilComesNear) {
                  RigidTransform<frames::Target, Coil>(Eigen::Quaterniond::Identity(), {off_mm, 0, 0})));
     return guide.draw(source.captureTruth(), target, state);
   };
-  /// Orange pixels: the ring that closes, and the arrow.
+  /// Extent of the orange pixels: the ring that closes, and the arrow.
   const auto reach = [&](const RgbImage& picture) {
     int left = picture.width_px, right = 0;
     for (int v = 0; v < picture.height_px; ++v)

@@ -18,7 +18,7 @@ surface::DetailedCortex halves() {
   return cortex;
 }
 
-/// Red outside, blue inside.
+/// Colour by sign: red outside, blue inside.
 std::array<double, 3> redOrBlue(double mm) {
   return mm > 0 ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 0, 1};
 }

@@ -1,5 +1,5 @@
-// The bull's eye: which way the cross, the tilt's line and the twist's tick move. The pictures are measured
-// in mm (200 px are 1.18 * 20 mm) and compared with the coil's true offset from the target.
+// The bull's eye: the directions in which the cross, the tilt's line and the twist's tick move. The pictures
+// are measured in mm (200 px are 1.18 * 20 mm) and compared with the coil's true offset from the target.
 
 #include "facenav/scene/bulls_eye.h"
 
@@ -75,7 +75,7 @@ TEST_F(BullsEyeTest, TheTiltsLineIsAMillimetrePerDegreeToWhereTheAxisLeans) {
   ASSERT_GT(count_, 20);
   EXPECT_NEAR(down.x(), 0.0, 0.2);
   EXPECT_NEAR(down.y(), -10.0, 0.7);
-  // About y it leans z to +x: to the left.
+  // A turn about y leans z to +x: to the left.
   const Eigen::Vector2d left = marks(guided({0, 0, 0}, {0, 10, 0}), 9.0, 12.0);
   ASSERT_GT(count_, 20);
   EXPECT_NEAR(left.x(), -10.0, 0.7);

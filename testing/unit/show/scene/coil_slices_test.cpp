@@ -7,7 +7,7 @@
 namespace facenav::scene {
 namespace {
 
-/// A cube of 161 mm, stored with x to the left as LPS scans are, of values that the function gives.
+/// Cube of 161 mm, stored with x to the left as LPS scans are, with the function's values.
 template <class ValueAt>
 SliceScene cubeOf(ValueAt value_at) {
   auto mri = std::make_shared<volume::Volume>();
@@ -39,7 +39,7 @@ RgbImage pictureOf(const SliceScene& scene, const SlicedCoil& coil, CoilCut cut,
   return coilSlicePicture(scene, coil, cut, coilPlane(coil.mri_T_coil, cut, width, height));
 }
 
-/// Pixel of a place of Coil, from the header's words alone.
+/// Pixel of a point of Coil, by the header's description alone.
 Eigen::Vector2i pixelOf(double row_mm, double depth_mm, int width = 200, int height = 220) {
   const double spacing_mm = (kCoilSliceAbove_mm + kCoilSliceDepth_mm) / height;
   return {int(std::lround(0.5 * (width - 1) + row_mm / spacing_mm)),
@@ -93,7 +93,7 @@ TEST(CoilSlices, ShowABallOnItsOwnSide) {
 }
 
 TEST(CoilSlices, PatientsSidesAreNamedByTheVolumesTruth) {
-  // Bright on the patient's left only: the side of the slice that is bright must carry the letter L.
+  // Bright on the patient's left only: the bright side of the slice must have the letter L.
   const SliceScene scene = cubeOf([](const Eigen::Vector3d& p) { return p.x() < 0 ? 200 : 0; });
   for (const double handle_deg : {0.0, 90.0, 180.0, 270.0}) {
     const double a = handle_deg * M_PI / 180;

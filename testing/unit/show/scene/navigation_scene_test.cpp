@@ -51,7 +51,7 @@ class NavigationSceneTest : public ::testing::Test {
     scene_->setTargets({topTarget()}, "vertex");
     scene_->setView(ViewPreset::target);
   }
-  /// Camera 600 mm in front of the face, looking along -y of Mri; Camera x = patient's left.
+  /// Pose of a camera 600 mm in front of the face, looking along -y of Mri; Camera x = patient's left.
   static RigidTransform<Camera, Mri> cameraPose() {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m.block<3, 3>(0, 0) << -1, 0, 0, 0, 0, -1, 0, -1, 0;

@@ -9,7 +9,7 @@
 namespace facenav::scene {
 namespace {
 
-/// +value in a ball on the patient's left, -value in one on the right; stored with x to the left.
+/// Volume with +value in a ball on the patient's left, -value in one on the right; stored with x to the left.
 std::shared_ptr<volume::Volume> twoBlobs(float value) {
   auto map = std::make_shared<volume::Volume>();
   map->grid.size = {81, 81, 81};

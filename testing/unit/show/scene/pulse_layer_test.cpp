@@ -37,7 +37,7 @@ TEST(ColourRange, EqualEndsGiveTheMiddle) {
   EXPECT_DOUBLE_EQ((ColourRange{2, 2}.shareOf(2)), 0.5);
 }
 
-/// Pixels that differ by more than noise.
+/// Number of pixels that differ by more than noise.
 int differing(const RgbImage& a, const RgbImage& b) {
   int n = 0;
   for (std::size_t i = 0; i < a.rgb.size(); i += 3)
@@ -47,7 +47,7 @@ int differing(const RgbImage& a, const RgbImage& b) {
   return n;
 }
 
-/// Seen from above; the coil 5 mm over the top of a ball of 90 mm, looking down.
+/// View from above; the coil is 5 mm over the top of a ball of 90 mm, facing down.
 class PulseLayerTest : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -44,7 +44,7 @@ TEST(SceneBanner, LiesWholeInANarrowView) {
     EXPECT_NEAR(bannerPixels(scene, kLong, width, height), whole, 0.04 * whole) << width << " x " << height;
 }
 
-// Where even three lines are too wide, the letters are smaller, but all there.
+// If even three lines are too wide, the letters are smaller, but complete.
 TEST(SceneBanner, IsMadeSmallerOnlyWhereNoLinesFit) {
   if (!hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   NavigationScene scene;

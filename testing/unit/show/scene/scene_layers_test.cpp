@@ -1,5 +1,4 @@
-// What the 3-D scene draws, where, and in which colour: targets, coil, beam, ghost, slices, layers on and
-// off.
+// Content of the 3-D scene with positions and colours: targets, coil, beam, ghost, slices, layers on and off.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +62,7 @@ class SceneLayersTest : public ::testing::Test {
     scene_->setView(ViewPreset::front);
     show([](SceneLayers&) {});
   }
-  /// No scalp, since skin is warm, too.
+  /// Shows the layers without scalp, since skin has a warm colour, too.
   void show(const std::function<void(SceneLayers&)>& change) {
     SceneLayers layers;
     layers.scalp = false;
@@ -177,7 +176,7 @@ TEST_F(SceneLayersTest, TheGhostStandsAtThePlannedPose) {
   EXPECT_EQ(picture().rgb, without.rgb);
 }
 
-/// 60 mm of air with a bright block at the patient's left, behind and below; stored along any axes.
+/// Volume of 60 mm of air with a bright block at the patient's left, behind and below; stored along any axes.
 volume::Volume block(const Eigen::Vector3d& signs) {
   volume::Volume mri;
   mri.grid.size = {60, 60, 60};

@@ -21,7 +21,7 @@ constexpr ViewPreset kPresets[] = {ViewPreset::target,     ViewPreset::front,   
                                    ViewPreset::left,       ViewPreset::right,      ViewPreset::top,
                                    ViewPreset::left_front, ViewPreset::right_front};
 
-/// Camera 600 mm in front of the face: Camera x = patient's left, y down.
+/// Pose of a camera 600 mm in front of the face: Camera x = patient's left, y down.
 RigidTransform<Camera, Mri> facingCamera() {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   m.block<3, 3>(0, 0) << -1, 0, 0, 0, 0, -1, 0, -1, 0;

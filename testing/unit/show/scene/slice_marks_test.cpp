@@ -14,7 +14,7 @@ namespace {
 
 using volume::Anatomical;
 
-/// 101 x 101 x 101 mm about the origin; the value is 10 x + 1000.
+/// Volume of 101 x 101 x 101 mm about the origin; the value is 10 x + 1000.
 std::shared_ptr<volume::Volume> ramp() {
   auto mri = std::make_shared<volume::Volume>();
   mri->grid.size = {101, 101, 101};
@@ -165,7 +165,7 @@ TEST(SliceTargets, LieOnTheirSideAndTheActiveOneIsOrange) {
       << "the patient's left on the picture's right";
 }
 
-/// Which of the six letters is painted at a place.
+/// Letter that is painted at a place, one of six.
 char letterAt(const RgbImage& image, int u, int v, double height_px) {
   const int reach = int(0.7 * height_px);
   char best = '?';

@@ -5,8 +5,8 @@
 namespace facenav::scene {
 namespace {
 
-/// 40 x 50 x 60 mm of air with a bright block on the patient's left. It is stored with x to the left (like
-/// LPS scans), so that a picture that ignores the flip shows the block on the wrong side.
+/// Volume of 40 x 50 x 60 mm of air with a bright block on the patient's left. It is stored with x to the
+/// left (like LPS scans), so that a picture that ignores the flip shows the block on the wrong side.
 std::shared_ptr<volume::Volume> leftBlock() {
   auto mri = std::make_shared<volume::Volume>();
   mri->grid.size = {40, 50, 60};

@@ -1,4 +1,4 @@
-// Which pictures of a recording an alignment is made from: fake aligner, real pictures of a made face.
+// Choice of a recording's pictures for an alignment: fake aligner, real pictures of a synthetic face.
 
 #include "facenav/align/align_case.h"
 #include "facenav/measured_face/projected_dots.h"
@@ -22,13 +22,13 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// Standard errors that are given out in turn; a negative one refuses: another head.
+/// Standard errors that the fake aligner returns in turn; a negative one refuses: another head.
 struct Answers {
   std::vector<double> sigmas_mm;
-  double apart_mm = 0;   // from answer to answer
-  bool has_turn = true;  // how far a camera turned is estimated, and none did
+  double apart_mm = 0;   // difference from answer to answer
+  bool has_turn = true;  // gives an estimate of the camera's rotation, which is zero
   std::size_t asked = 0;
-  registration::AlignmentStart start = {};  // what was known before the last one
+  registration::AlignmentStart start = {};  // prior knowledge at the last alignment
 };
 
 class FakeAligner : public registration::Aligner {
@@ -55,7 +55,7 @@ class FakeAligner : public registration::Aligner {
   Answers& answers_;
 };
 
-/// The portrait in a dark room, with light dots: stands for a face under a projector.
+/// Portrait in a dark room with light dots, like a face under a projector.
 SyntheticFace dottedFace() {
   cv::Mat portrait = cv::imread(SyntheticFace::portraitPath(), cv::IMREAD_GRAYSCALE);
   portrait *= 0.3;
@@ -66,7 +66,7 @@ SyntheticFace dottedFace() {
   return SyntheticFace(portrait, {195, 100}, {259, 104});
 }
 
-/// The picture, darker, with the few dots of a coarse pattern.
+/// Darkens the picture and adds the few dots of a coarse pattern.
 cv::Mat sparselyDotted(const cv::Mat& plain) {
   constexpr int kApart_px = 44;
   cv::Mat dotted = 0.3 * plain;
@@ -137,7 +137,7 @@ class AlignRecording : public ::testing::Test {
     return {};
   }
 
-  /// A marker of 60 mm at rest in all pictures.
+  /// Shows a marker of 60 mm at rest in all pictures.
   void showMarker() {
     methods_.coil_trackers.add("seen", "",
                                [this] { return std::make_unique<facenav::testing::SeenMarker>(rig_); });
@@ -281,7 +281,7 @@ TEST_F(AlignRecording, AMeasuredFaceBringsItsOwnErrors) {
   const auto added = [](double with, double without) { return std::sqrt(with * with - without * without); };
   EXPECT_NEAR(added(measured.shared_depth_sigma_mm, exact.shared_depth_sigma_mm), 0.4, 1e-6);
   EXPECT_NEAR(added(measured.sight.sigma_mm, exact.sight.sigma_mm), 0.3, 1e-6);
-  // A size that is off by 0.4 % is that of a camera that turned by 0.004 * baseline / distance.
+  // A size error of 0.4 % equals that of a camera that turned by 0.004 * baseline / distance.
   EXPECT_NEAR(added(measured.known_turn->sigma_rad, exact.known_turn->sigma_rad), 0.004 * 120 / 600, 1e-4);
   answers_.sigmas_mm.assign(8, 3.0);
   try {

@@ -197,7 +197,7 @@ TEST_F(MisledAlignment, IsMeasuredByTheMatcherAskedFor) {
   EXPECT_NE(by_ssd.result.points, by_field.result.points);
 }
 
-/// Grey skin with noise-free bright points at random in blocks of this size, as a projector throws them.
+/// Grey skin with noise-free bright points at random in blocks of this size, like a projector's dots.
 cv::Mat dotted(int block_px) {
   cv::Mat image(480, 640, CV_8U, cv::Scalar(90));
   unsigned random = 7;

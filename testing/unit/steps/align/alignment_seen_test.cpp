@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 constexpr double kBallRadius_mm = 90;
 
-/// A ball of 90 mm before the cameras. The MRI is aligned, or 4 mm beside it along the line of sight.
+/// Ball of 90 mm before the cameras. The MRI is aligned, or 4 mm beside it along the line of sight.
 class PickedSpotOnSkin : public ::testing::Test {
  protected:
   session::NavigationState state(double off_mm) const {

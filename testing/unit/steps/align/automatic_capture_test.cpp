@@ -1,4 +1,4 @@
-// The picture for an alignment without a projector: taken when face and resting marker are seen.
+// Automatic capture for an alignment without a projector: when face and resting marker are seen.
 
 #include "facenav/align/automatic_capture.h"
 
@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using testing::RoomShows;
 namespace rooms = coil_tracking::testing;
 
-/// What is said of some seconds of a room that shows this.
+/// Refusal after some seconds of a room that shows this.
 std::string refusalOf(RoomShows shows, bool has_face, double turned_deg = 0, double limit_s = 3.0) {
   const auto rig = rooms::roomRig();
   const auto room = std::make_shared<testing::SetupRoom>();
@@ -52,8 +52,8 @@ TEST(AutomaticCapture, IsTakenOfAFaceThatAMaskHidesFromTheDetector) {
   EXPECT_THAT(refusalOf(RoomShows::nothing, false, 0, 10.0), HasSubstr("hold the coil beside the face"));
 }
 
-/// A face beside a resting marker: its skin shifts by `step_px` from picture to picture. The right picture is
-/// `late_s` late.
+/// Film of a face beside a resting marker: its skin shifts by `step_px` from picture to picture. The right
+/// picture is `late_s` late.
 class FaceBesideMarker : public capture::FrameSource {
  public:
   FaceBesideMarker(double step_px, std::optional<double> late_s) : step_px_(step_px), late_s_(late_s) {
@@ -87,7 +87,7 @@ class FaceBesideMarker : public capture::FrameSource {
   cv::Mat skin_ = cv::Mat(kPatch.size(), CV_32F);
 };
 
-/// Empty: no picture was taken within 3 s.
+/// Picture taken within 3 s; empty if none was taken.
 std::optional<cameras::StereoFrame> takenOf(double step_px, std::optional<double> late_s,
                                             std::string& words) {
   FaceBesideMarker source(step_px, late_s);

@@ -25,7 +25,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The rig after its right camera turned about its vertical axis.
+/// Rig after its right camera turned about its vertical axis.
 cameras::StereoRig turnedSideways(cameras::StereoRig rig, double deg) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   turn.linear() = expRotation({0, deg * kRadPerDeg, 0});
@@ -47,7 +47,7 @@ class PlainFaceModel : public ::testing::Test {
     const auto frame = face_->render(rig_, {});
     return {frame, frame};
   }
-  /// A recording of the plain pair, and of a film in which the head turns if `frames` is not 0.
+  /// Records the plain pair, and a film in which the head turns if `frames` is not 0.
   void record(int frames) const {
     capture::RecordingWriter writer(recording_, rig_);
     writer.setCapture(plainPair());

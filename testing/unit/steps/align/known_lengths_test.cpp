@@ -1,4 +1,4 @@
-// What the coil's printed marker, in the capture's still pair, says about a right camera that turned.
+// Rotation of the right camera, measured by the coil's printed marker in the capture's still pair.
 
 #include "facenav/align/known_lengths.h"
 
@@ -61,7 +61,7 @@ TEST(KnownLengths, ATurnOfTheWholeRayChangesTheLengthAsItChangesTheDistance) {
   EXPECT_NEAR(turn.rad, rad, 1e-9);
 }
 
-/// The marker while it moves sideways; the right camera exposes `late_s` after the left one.
+/// Frame of the marker while it moves sideways; the right camera exposes `late_s` after the left one.
 cameras::StereoFrame movingMarker(const cameras::StereoRig& rig, double t_s, double speed_mm_s,
                                   double late_s) {
   const auto at = [&](double time_s) {

@@ -12,7 +12,7 @@ namespace {
 const cv::Rect kFace(100, 60, 160, 160), kMarker(90, 150, 40, 40);
 constexpr double kNoise_grey = 4.0;
 
-/// Blotches of skin, moved sideways, or turned about the middle of the face.
+/// Blotches of skin, moved sideways, or rotated about the middle of the face.
 cv::Mat skin(double by_px, double turned_deg = 0.0) {
   cv::Mat drawn(300, 400, CV_32F), moved;
   cv::RNG random(3);

@@ -1,4 +1,4 @@
-// The capture pair stored with a case's alignment: it tells which cameras the alignment is valid for.
+// The capture pair stored with a case's alignment: it identifies the cameras that the alignment is valid for.
 
 #include "facenav/align/stored_capture.h"
 

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 const RigidTransform<Camera, Coil> kCoil(Eigen::Quaterniond::Identity(), {20, -60, 550});
 
-/// The coil `off` the target, everything seen.
+/// State with the coil `off` the target and everything tracked.
 session::NavigationState seen(const RigidTransform<Coil, Coil>& off = {}) {
   session::NavigationState state;
   state.frame = 1;
@@ -54,12 +54,12 @@ TEST(HomeAdvice, DepthTiltAndTurnHaveTheirOwnSigns) {
   EXPECT_EQ(homeAdvice(seen(shifted(0, 0, -9)), false).sign, HomeSign::press);
   const auto turn = homeAdvice(seen(turnedBy({0, 0, 20})), false),
              back = homeAdvice(seen(turnedBy({0, 0, -20})), false);
-  // Seen along +z, into the head, a positive turn is clockwise; it is taken back anticlockwise.
+  // Seen along +z, into the head, a positive rotation is clockwise; the correction is anticlockwise.
   EXPECT_EQ(turn.sign, HomeSign::turn_counterclockwise);
   EXPECT_EQ(back.sign, HomeSign::turn_clockwise);
   for (const Eigen::Vector3d& tilt : {Eigen::Vector3d(12, 0, 0), {-12, 0, 0}, {0, 12, 0}, {0, -12, 0}}) {
     const auto advice = homeAdvice(seen(turnedBy(tilt)), false);
-    // About +x the side of -y, the handle's, rises (out of the head, -z); it must go back.
+    // A rotation about +x raises the side of -y, the handle's (out of the head, -z); it must go back.
     const HomeSign expected = tilt.x() > 0   ? HomeSign::raise_front
                               : tilt.x() < 0 ? HomeSign::raise_handle
                               : tilt.y() > 0 ? HomeSign::raise_right

@@ -38,7 +38,7 @@ class NoFace : public face::FaceDetector {
 
 using facenav::testing::refusalOf;
 
-/// A case without an MRI, with a session and the expert's pose of it.
+/// Case without an MRI, with a session and the expert's pose of it.
 class HomeCaseTest : public ::testing::Test {
  protected:
   HomeCaseTest()

@@ -22,7 +22,7 @@ using facenav::testing::refusalOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The same person's case at the clinic and at home, and a session at home.
+/// One person's case at the clinic and at home, and a session at home.
 class ReturnedSessionTest : public ::testing::Test {
  protected:
   ReturnedSessionTest()
@@ -38,14 +38,14 @@ class ReturnedSessionTest : public ::testing::Test {
     casefile::addNote(session_, "at home", "three steps, big buttons");
     writeSendBack(home_, session_, file_);
   }
-  /// Every file of the clinic's case with its content.
+  /// Reads every file of the clinic's case with its content.
   std::map<std::string, std::string> everything() const {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(clinic_.folder()))
       files[entry.path().string()] = entry.is_regular_file() ? readWholeFile(entry.path()) : "";
     return files;
   }
-  /// The file with one entry changed.
+  /// Changes one entry of the file.
   void change(const std::string& name, const std::function<void(std::string&)>& edit) {
     auto entries = readZip(file_);
     edit(entries.at(name));

@@ -17,7 +17,7 @@ class ExpertPoseTest : public ::testing::Test {
  protected:
   ExpertPoseTest()
       : store_(casefile::CaseStore::create(folder_.path() / "case", testing::ballWithBrain(), {}, false)) {
-    // On the ball's crown, its axis to the middle.
+    // The target is on the ball's crown, its axis to the middle.
     target_.name = "M1";
     target_.mri_T_target = {Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX())),
                             {0, 0, 94}};

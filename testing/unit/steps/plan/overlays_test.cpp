@@ -22,7 +22,7 @@ class Overlays : public ::testing::Test {
  protected:
   casefile::CaseStore caseWith(bool has_atlas) {
     auto prepared = testing::ballCase();
-    if (has_atlas) {  // MNI lies 10 mm to the right of this head's own place, and is turned by no angle
+    if (has_atlas) {  // MNI lies 10 mm to the right of this head's own position, without rotation
       volume::VoxelGrid nodes;
       nodes.size = {2, 2, 2};
       nodes.mri_from_voxel.linear() *= 200.0;
@@ -34,7 +34,7 @@ class Overlays : public ::testing::Test {
     }
     return casefile::CaseStore::create(folder_.path() / "case", prepared, {}, false);
   }
-  /// Values 1..5 with a peak of 5 at `peak_mm`; 3 mm voxels.
+  /// Map with values 1..5 and a peak of 5 at `peak_mm`; 3 mm voxels.
   fs::path mapWithPeak(const Eigen::Vector3d& peak_mm) {
     volume::Volume map;
     map.grid.size = {55, 55, 55};

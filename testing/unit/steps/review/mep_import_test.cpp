@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Single pulses at 4 to 7 s, as a person gives them; seeded.
+/// Single pulses at intervals of 4 to 7 s, as a person gives them; seeded.
 std::vector<casefile::ReviewedPulse> pulses(int count, bool is_even = false) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> pause_s(4, 7);
@@ -34,7 +34,7 @@ std::vector<casefile::ReviewedPulse> pulses(int count, bool is_even = false) {
   return given;
 }
 
-/// One row per pulse, its MEP ten times the pulse's number, on a clock that is `ahead_s` of the session's.
+/// File with one row per pulse, its MEP ten times the pulse's number, on a clock `ahead_s` of the session's.
 MepFile fileOf(const std::vector<casefile::ReviewedPulse>& given, double ahead_s, double jitter_s = 0.0) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> jitter(-1, 1);

@@ -22,7 +22,7 @@ bool says(const report::Chart& chart, const std::string& words) {
                      [&](const report::ChartShape& s) { return s.text.find(words) != std::string::npos; });
 }
 
-/// 0.5, 1.0 .. 5 mm off, on target up to 2 mm; the last one excluded; one lost.
+/// Pulses 0.5, 1.0 .. 5 mm off, on target up to 2 mm; the last one excluded; one lost.
 std::vector<casefile::ReviewedPulse> pulses() {
   std::vector<casefile::ReviewedPulse> given;
   for (int i = 1; i <= 10; ++i) given.push_back({casefile::madePulse(i, 0.5 * i), i == 10, {}});

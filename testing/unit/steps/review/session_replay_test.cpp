@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 class SessionReplayTest : public ::testing::Test {
  protected:
-  /// Six frames, 20 ms apart from `first_s` on; the coil is lost in the last one.
+  /// Writes six frames, 20 ms apart from `first_s` on; the coil is lost in the last one.
   void writeSession(double first_s = 300.0) {
     std::vector<casefile::PoseRow> poses;
     const auto pulse = casefile::madePulse(1);

@@ -1,4 +1,4 @@
-// Views of the board that are chosen by themselves, on a rendered film of a person who holds it.
+// Automatic choice of board views, on a rendered film of a person who holds it.
 
 #include "facenav/setup/board_collector.h"
 
@@ -17,7 +17,7 @@ BoardCollector collectorFor(const cameras::StereoRig& rig) {
   return {testing::kPrintedBoard, {rig.width_px, rig.height_px}, BoardRules()};
 }
 
-/// Adds one standing board; the last sight.
+/// Adds one resting board; returns the last sight.
 BoardSight hold(BoardCollector& collector, const cameras::StereoRig& rig, const testing::HeldBoard& held,
                 double begun_s, const scene::SceneOptions& options = {}) {
   BoardSight sight;
@@ -90,7 +90,7 @@ TEST(BoardCollector, TellsTheTiltsApart) {
               sideways = int(all.is_left_far) + int(all.is_right_far);
     EXPECT_EQ(vertical, std::fmod(axis_deg, 180) == 0 ? 1 : 0) << axis_deg;
     EXPECT_EQ(sideways, std::fmod(axis_deg, 180) == 0 ? 0 : 1) << axis_deg;
-    // Of what is far, the squares are smaller.
+    // Squares that are further away appear smaller.
     const auto& corners = collector.views().front().left;
     const double first = cv::norm(corners[1] - corners[0]), last = cv::norm(corners[53] - corners[52]);
     if (vertical == 1 && corners[0].y < corners[53].y) {

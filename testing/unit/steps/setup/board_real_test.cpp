@@ -36,7 +36,8 @@ BoardCollector chosenFrom(const std::string& set, const std::string& left, const
   return collector;
 }
 
-/// How far a head's points differ that one rig sees and the other measures: as they are, and in shape.
+/// Difference between a head's points as one rig sees them and the other measures them: as they are, and in
+/// shape.
 std::pair<double, double> headDifference_mm(const cameras::StereoRig& seen,
                                             const cameras::StereoRig& measured) {
   std::vector<Eigen::Vector3d> truth, found;
@@ -79,7 +80,7 @@ TEST_F(RealBoards, ChosenViewsGiveARigNearTheSharedOne) {
         apart_mm, effect.point_mm, shape_mm, effect.length_mm);
     EXPECT_LT(result.rms_px, 0.3);
     EXPECT_NEAR(result.rig.baseline_mm(), shared.baseline_mm(), 2.0);
-    // Within what the calibration states of itself.
+    // Within the error that the calibration gives.
     EXPECT_LT(apart_mm, 3 * effect.point_mm);
     EXPECT_LT(shape_mm, 3 * 1.8 * effect.length_mm) << "a head is 180 mm high; stated are 100 mm";
   }

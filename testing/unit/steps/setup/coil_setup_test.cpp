@@ -1,4 +1,4 @@
-// The coil's step: poses of the marker are collected by themselves, and the coil is calibrated by pivoting.
+// The coil's step: poses of the marker are collected automatically, and the coil is calibrated by pivoting.
 
 #include "facenav/setup/coil_setup.h"
 
@@ -14,7 +14,7 @@ using Stage = CoilSetup::Stage;
 using ::testing::HasSubstr;
 namespace scene = coil_tracking::testing;
 
-/// Gives the poses that the test puts there.
+/// Returns the poses that the test sets.
 struct ShownPose {
   std::optional<RigidTransform<Camera, Marker>> pose;
 };
@@ -39,7 +39,7 @@ class CoilSetupTest : public ::testing::Test {
   CoilSetupTest()
       : setup_(coil_tracking::testing::roomRig(), coil_tracking::defaultCoil(),
                [shown = shown_] { return std::make_unique<ShownCoil>(shown); }) {}
-  /// The coil turns about a fixed tip that touches `tip_mm` of the marker's frame; until the stage ends.
+  /// Turns the coil about a fixed tip that touches `tip_mm` of the marker's frame, until the stage ends.
   void pivotAbout(const Eigen::Vector3d& tip_mm, double most_turned_rad = 0.5) {
     const Stage stage = setup_.stage();
     const Eigen::Vector3d tip_in_camera_mm(10, 20, 550);
@@ -94,7 +94,7 @@ TEST_F(CoilSetupTest, TooLittleTurningIsSaid) {
   EXPECT_THAT(setup_.words(), HasSubstr("hardly turned"));
 }
 
-/// The tip wanders by 8 mm while the coil is turned.
+/// The tip slips by 8 mm while the coil is turned.
 TEST_F(CoilSetupTest, APointThatSlipsIsSaid) {
   setup_.startPivots();
   const Eigen::Vector3d tip_mm(0, 80, 30);

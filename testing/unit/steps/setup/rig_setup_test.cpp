@@ -68,7 +68,7 @@ TEST_F(RigSetupTest, CalibratesChecksAndSeesTheCoil) {
 
 TEST_F(RigSetupTest, ABumpedBarIsFoundAtTheNextStartAndRepaired) {
   room_->turned_deg = 0.4;
-  const auto setup = open(rig_);  // as it was kept
+  const auto setup = open(rig_);  // stored state
   ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::new_place, SetupStep::check));
   ASSERT_TRUE(waitForView(*setup, [](const auto& view) { return view.needs_repair; }))
       << setup->latest()->sentence;
@@ -87,7 +87,7 @@ TEST_F(RigSetupTest, AMarkerInTwoPlacesChecksAKeptRigToo) {
   EXPECT_THAT(setup->latest()->lines.front().words, HasSubstr("marker: "));
 }
 
-/// In one place, a turn and a shift of a camera can cancel each other.
+/// For a board in one place, a rotation and a shift of a camera can cancel each other.
 TEST_F(RigSetupTest, ABoardThatStaysInOnePlaceProvesTooLittle) {
   const auto setup = open(rig_);
   ASSERT_NO_FATAL_FAILURE(show(*setup, RoomShows::one_place, SetupStep::check));

@@ -32,7 +32,7 @@ capture::NamedRig keptRig(const cameras::StereoRig& rig, const std::string& stat
 
 RigStartMethods markerAlone() { return {nullptr, coil_tracking::makeMarkerCoilTracker()}; }
 
-/// What the check says of a marker at rest before cameras of which the right one turned sideways.
+/// Verdict on a marker at rest before cameras whose right one turned sideways.
 RigStart byMarker(double turned_deg, const std::string& earlier = {}) {
   const auto rig = rooms::roomRig();
   const auto room = std::make_shared<testing::SetupRoom>();
@@ -100,8 +100,8 @@ TEST(RigStart, SaysAdjustmentsThatDiffer) {
   EXPECT_FALSE(check.result().isWithheld());
 }
 
-/// A person before three real cameras, at five moments; `mount_deg`: the right camera of the calibration is
-/// turned by so much against the real one.
+/// A person before three real cameras, at five moments; `mount_deg`: rotation of the calibration's right
+/// camera against the real one.
 class RigStartFace : public ::testing::Test {
  protected:
   void SetUp() override { FACENAV_NEEDS(folder()); }
@@ -112,7 +112,7 @@ class RigStartFace : public ::testing::Test {
     };
     return {read(cameras[0]), read(cameras[1]), 0, {t_s}, 0.0};
   }
-  /// The same picture twice: the face does not move.
+  /// Adds the same picture twice: the face does not move.
   static void addAtRest(RigStartCheck& check, cameras::StereoFrame frame) {
     check.add(frame);
     frame.captured.s += 0.033;
@@ -157,7 +157,7 @@ TEST_F(RigStartFace, AnotherRigsCalibrationIsNamed) {
   EXPECT_EQ(check.result().state, health::RigState::other_cameras) << check.result().words();
 }
 
-/// A face cannot show that a camera no longer looks sideways.
+/// A face cannot determine a sideways rotation of a camera.
 TEST_F(RigStartFace, DoesNotClearAnEarlierFault) {
   const auto start = found("lm", {0, 0, 0}, "moved");
   EXPECT_EQ(start.state, health::RigState::holds);
@@ -177,7 +177,7 @@ TEST_F(RigStartFace, PairsOfTwoMomentsAreNoMovedCamera) {
   EXPECT_EQ(check.result().state, health::RigState::holds) << check.result().words();
 }
 
-/// Before cameras without a trigger, a head that moves looks like a camera that moved.
+/// A moving head looks like a moved camera if there is no trigger.
 TEST_F(RigStartFace, AFaceThatMovesIsNotMeasured) {
   RigStartCheck check(keptRig(cameras::readRig(folder() / "lm_stereo.yml")),
                       {std::make_shared<testing::FixedFace>(cv::Rect(100, 100, 300, 300)), nullptr});
@@ -203,7 +203,7 @@ class VerifiedRoom : public ::testing::Test {
                                                told_.push_back(found);
                                              });
   }
-  /// Frames until one is doubted, or not, for a while.
+  /// Plays frames until one is doubted, or not, for a while.
   bool becomes(VerifiedCameras& cameras, bool is_doubted) {
     for (const double until_s = Timestamp::now().s + 60; Timestamp::now().s < until_s;)
       if (!cameras.next()->rig_fault.empty() == is_doubted) return true;

@@ -1,5 +1,5 @@
-// The optional step of the set-up in which a waved coil shows the cameras' rolling shutter, and how what it
-// found reaches the next session.
+// The optional step of the set-up in which a waved coil measures the cameras' rolling shutter, and the use of
+// the result in the next session.
 
 #include "facenav/setup/shutter_wave.h"
 
@@ -28,7 +28,7 @@ coil_tracking::CoilResult seenAt(const Eigen::Vector3d& at_mm, std::array<double
   return result;
 }
 
-/// Frames from `first` on in which the marker moves to and fro with this speed.
+/// Plays frames from `first` on in which the marker moves to and fro with this speed.
 int waveFor(ShutterWave& wave, double seconds, double speed_mm_s, std::array<double, 2> row_times_s = {0, 0},
             int first = 0) {
   int i = first;
@@ -96,7 +96,7 @@ TEST(ShutterWave, CamerasThatDoNotExposeTogetherAreSaid) {
   EXPECT_THAT(wave.words(), HasSubstr("do not expose at the same time"));
 }
 
-/// Shutter of the cameras that the set-up's last step found for them.
+/// Row times that the set-up's last step measured for these cameras.
 std::optional<std::array<double, 2>> setUp(const cameras::StereoRig& known) {
   using facenav::testing::wavedFrame;
   CoilSetup setup(known, coil_tracking::defaultCoil(), [] { return coil_tracking::makeMarkerCoilTracker(); });

@@ -162,7 +162,7 @@ TEST_F(TreatmentTest, ASourceThatCannotBeOpenedLeavesTheSessionAlone) {
   EXPECT_TRUE(waitFor([&] { return treatment->log().pulses() == 1; }));
 }
 
-/// As start(), with a check that always finds the face where it was aligned.
+/// Navigator with a check that always finds the face where it was aligned.
 std::unique_ptr<session::Navigator> everAgreeing(std::unique_ptr<session::Navigator> navigator) {
   navigator->setCheck(std::make_unique<monitoring::RegistrationCheck>(
       [](const cameras::StereoFrame&, const RigidTransform<Camera, Mri>&) {

@@ -74,7 +74,7 @@ TEST_F(CoilLibrary, StatesWhatIsGivenAndTakesMeshAndPatternAlong) {
   EXPECT_NE(coil_library::focusCaution(coil.card).value_or("").find("5 mm beside its centre"),
             std::string::npos);
   auto centred = coil.card;
-  centred.focus_mm = {0, 0.4, 20};  // deeper is no other place on the head
+  centred.focus_mm = {0, 0.4, 20};  // another depth does not change the position on the head
   EXPECT_FALSE(coil_library::focusCaution(centred));
   EXPECT_EQ(*coil.model.mesh, coil.file.parent_path() / "body.stl");
   EXPECT_TRUE(fs::exists(*coil.model.mesh));

@@ -9,8 +9,8 @@ namespace facenav::guidance {
 namespace {
 
 TEST(BeamF3, GivesWhatTheCalculatorThatClinicsUseGives) {
-  // Where both arcs are equal, users of the calculator found its output linear: 0.1154 times the
-  // circumference and 0.2637 times the arc.
+  // If both arcs are equal, users of the calculator found its output linear: 0.1154 times the circumference
+  // and 0.2637 times the arc.
   for (const double arc_mm : {320.0, 350.0, 380.0}) {
     const BeamF3Lengths lengths = beamF3Lengths(arc_mm, arc_mm, 560);
     EXPECT_NEAR(lengths.x_mm, 0.1154 * 560, 0.1);

@@ -25,7 +25,7 @@ surface::ScalpSurface plateBall(int rows = 180) {
   return scalp;
 }
 
-/// A ball with a bump, or a dent for a negative height, of 8 mm sigma in the direction `at`.
+/// Ball with a bump, or a dent for a negative height, of 8 mm sigma in the direction `at`.
 surface::ScalpSurface ballWith(const Eigen::Vector3d& at, double height_mm, double sigma_mm = 8) {
   surface::ScalpSurface scalp = plateBall();
   for (auto& v : scalp.mesh.vertices_mm) {
@@ -39,11 +39,11 @@ Target plannedOver(const surface::ScalpSurface& scalp, const Eigen::Vector3d& di
   return planTarget("spot", scalp, Point<Mri>(70 * direction.normalized()), rad(30), gap_mm);
 }
 
-/// How far skin stands above the plate within its outline, by a way of its own: a fine lattice of points on
-/// every triangle.
+/// Greatest height of skin above the plate within its outline, computed independently: a fine lattice of
+/// points on every triangle.
 double lies_through_mm(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate) {
   const auto coil_T_mri = target.mri_T_target.inverse();
-  const auto inside = [&](double x, double y) {  // winding of the outline round the place
+  const auto inside = [&](double x, double y) {  // winding of the outline around the point
     double turned = 0;
     for (std::size_t i = 0; i < plate.outline_mm.size(); ++i) {
       const Eigen::Vector2d a = plate.outline_mm[i] - Eigen::Vector2d(x, y);

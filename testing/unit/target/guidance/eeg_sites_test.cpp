@@ -96,7 +96,7 @@ TEST(EegSites, ALandmarkMovedByItsErrorMovesTheSitesByTheirs) {
   surface::ScalpLandmarks landmarks = equator(0);
   landmarks[Landmark::inion]->sd_mm = 6;
   const EegSites sites = placeEegSitesWithErrors(eegPaths(), landmarks);
-  // Moved up by 6 mm it moves Oz by 0.9 of that and Cz by half; moved aside it hardly moves Cz.
+  // An error of 6 mm upwards moves Oz by 0.9 of that and Cz by half; one aside hardly moves Cz.
   EXPECT_NEAR(sites.find("Cz").sd_mm, 3.0, 1.0);
   EXPECT_GT(sites.find("Oz").sd_mm, 5.0);
   EXPECT_LT(sites.find("Fpz").sd_mm, 1.5);

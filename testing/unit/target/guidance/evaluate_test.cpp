@@ -10,8 +10,7 @@ namespace {
 using namespace guidance::testing;
 using facenav::testing::EigenNear;
 
-// resources/doc/formats.md: values of a published navigator export with 3 decimals; `point` is the target
-// itself.
+// Compares with a published navigator export with 3 decimals; `point` is the target itself.
 TEST(Evaluate, GivesThePublishedRecordingsValues) {
   Target target;
   target.mri_T_target =

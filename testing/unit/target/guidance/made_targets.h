@@ -10,7 +10,7 @@ namespace facenav::guidance::testing {
 
 inline double rad(double angle_deg) { return angle_deg * M_PI / 180.0; }
 
-/// Orthonormal axes from z and y given with few decimals.
+/// Makes orthonormal axes from z and y given with few decimals.
 template <class From>
 RigidTransform<Mri, From> poseFrom(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& z,
                                    const Eigen::Vector3d& y) {
@@ -22,7 +22,8 @@ RigidTransform<Mri, From> poseFrom(const Eigen::Vector3d& origin_mm, const Eigen
   return RigidTransform<Mri, From>::fromIsometry(pose);
 }
 
-/// A coil flat on the vertex: z down into the head, handle towards the back of the head, cortex 20 mm below.
+/// Target of a coil flat on the vertex: z down into the head, handle towards the back of the head, cortex 20
+/// mm below.
 inline Target vertexTarget() {
   Target target;
   target.name = "vertex";

@@ -7,7 +7,7 @@
 namespace facenav::guidance {
 namespace {
 
-/// A square of 80 mm in the plane z = 0 with a vertex every millimetre, seen from above (outward +z).
+/// Square of 80 mm in the plane z = 0 with a vertex every millimetre, seen from above (outward +z).
 surface::TriangleMesh plane() {
   surface::TriangleMesh mesh;
   constexpr int kSide = 81;

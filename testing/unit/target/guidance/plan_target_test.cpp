@@ -9,7 +9,7 @@ namespace {
 using namespace guidance::testing;
 using facenav::testing::EigenNear;
 
-/// A head of 90 mm radius; its world origin is not at its centre, as in a real scan.
+/// Centre of a head of 90 mm radius; the world origin lies elsewhere, as in a real scan.
 const Eigen::Vector3d kCentre_mm(12, -30, 25);
 
 surface::ScalpSurface roundHead() {

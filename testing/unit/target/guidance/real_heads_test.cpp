@@ -1,4 +1,4 @@
-// On two real heads: EEG sites against published positions, the coil's plate at 200 places, the grid.
+// Two real heads: EEG sites against published positions, the coil's plate at 200 places, the grid.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(EegSitesOnColin27, LieWithinFiveMillimetresOfThePublishedOnesOnAverage) {
   EXPECT_LT(sum_mm, 5);
 }
 
-/// The first place of Colin27's brain under a site of the scalp, along the line to a point inside the head.
+/// First point of Colin27's brain under a site of the scalp, along the line to a point inside the head.
 Vector3d underSite(const volume::Volume& brain, const Vector3d& site_mm) {
   const Vector3d inside(0, -20, 10), step = 0.25 * (inside - site_mm).normalized();
   for (Vector3d p = site_mm; (p - inside).norm() > 1; p += step)
@@ -103,7 +103,7 @@ TEST(EegSitesOnColin27, ProjectOntoTheCortexWherePeopleHaveThem) {
   EXPECT_LT((beam.point.mm - sites.find("F3").point.mm).norm(), 25);
 }
 
-/// By itself, not through the module: even-odd rule.
+/// Tests for a point inside the outline, independently of the module: even-odd rule.
 bool lies(const std::vector<Eigen::Vector2d>& outline, double x, double y) {
   bool is_in = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -132,7 +132,7 @@ Standing standingOf(const Target& target, const surface::ScalpSurface& scalp, co
   return standing;
 }
 
-/// Rests the coil at 200 random places above the ears and says how it stands.
+/// Rests the coil at 200 random places above the ears and reports its contact.
 void restEverywhere(const surface::ScalpSurface& scalp, double lowest_z_mm) {
   const CoilPlate plate = figureOfEight();
   std::mt19937 random(11);

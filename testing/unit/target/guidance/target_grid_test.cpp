@@ -22,7 +22,7 @@ const surface::ScalpPaths& gridPaths() {
   return kPaths;
 }
 
-/// A coil over `direction`, its handle straight back.
+/// Axes of a coil over `direction`, its handle straight back.
 Eigen::Matrix3d axesOver(const Eigen::Vector3d& direction) {
   return poseFrom<frames::Target>(Eigen::Vector3d::Zero(), -direction, Eigen::Vector3d::UnitY()).rotation();
 }

@@ -74,7 +74,7 @@ TEST(TargetsJson, KeepsLockDoseGridAndEveryChange) {
   EXPECT_TRUE(read.targets[1].grid_place->is_edited);
   target.is_locked = false;
   target.dose.reset();
-  writeTargets(plan, path);  // over the first: what is no longer so is gone
+  writeTargets(plan, path);  // over the first: removed entries vanish
   EXPECT_FALSE(readTargets(path).targets[0].is_locked);
   EXPECT_FALSE(readTargets(path).targets[0].dose);
 }

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 constexpr auto kBayes = ThresholdMethod::bayes, kRule = ThresholdMethod::five_of_ten;
 
-/// Answers of a muscle that responds from `threshold_pct` on, always.
+/// Searches with answers of a muscle that always responds from `threshold_pct` on.
 ThresholdState searchSharp(ThresholdMethod method, double threshold_pct) {
   std::vector<ThresholdAnswer> answers;
   auto state = thresholdAfter(method, answers);
@@ -35,7 +35,7 @@ TEST(Threshold, BayesBeginsAtThePriorMeanWithThePriorsInterval) {
 }
 
 TEST(Threshold, OneAnswerMovesBayesAsTheIntegralSays) {
-  // Independent of the grid: Simpson's rule over prior times response curve.
+  // Computed independently of the grid: Simpson's rule over prior times response curve.
   const auto density = [](double t) {
     const double z = (t - 52) / 14;
     return std::exp(-0.5 * z * z) * 0.5 * std::erfc(-(52 - t) / (0.07 * t) * M_SQRT1_2);
@@ -107,7 +107,7 @@ TEST(Threshold, AnImpossibleIntensityIsRefused) {
 
 struct Outcome {
   std::vector<double> error_pct, pulses;
-  int inside = 0;  // the stated interval holds the truth
+  int inside = 0;  // the interval contains the truth
 };
 
 Outcome searchSubjects(ThresholdMethod method, int subjects, unsigned seed = 20261123) {
@@ -141,7 +141,7 @@ TEST(Threshold, BayesIsWithinTwoPercentOfOutputOnVirtualSubjectsInTwentyPulses) 
 }
 
 TEST(Threshold, TheStatedIntervalHoldsTheTruthInNineteenOfTwenty) {
-  // Not the subjects that the widening was fitted on (seed 1). 95 % of 1000: standard deviation 0.7 %.
+  // Subjects of another seed than those of the fit (1). 95 % of 1000: standard deviation 0.7 %.
   const Outcome outcome = searchSubjects(kBayes, 1000, 3);
   std::printf("the 95 %% interval holds the truth in %d of 1000\n", outcome.inside);
   EXPECT_GE(outcome.inside, 930);

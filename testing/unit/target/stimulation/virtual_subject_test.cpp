@@ -9,7 +9,7 @@
 namespace facenav::stimulation {
 namespace {
 
-/// A subject of middle parameters.
+/// Subject of middle parameters.
 VirtualSubject made() {
   VirtualSubject s;
   s.plateau = 4.5, s.half = 4000, s.steepness = 2.6, s.onset_pct = 40;

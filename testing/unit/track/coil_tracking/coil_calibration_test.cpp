@@ -25,7 +25,7 @@ class Hand {
     std::normal_distribution<double> normal(0, sigma);
     return {normal(random_), normal(random_), normal(random_)};
   }
-  /// A pose measured with 0.1 mm and 0.1 degrees of error.
+  /// Adds an error of 0.1 mm and 0.1 degrees to a pose.
   template <class To, class From>
   RigidTransform<To, From> measured(const RigidTransform<To, From>& truth) {
     Eigen::Isometry3d pose = truth.isometry();
@@ -36,7 +36,7 @@ class Hand {
   RigidTransform<Camera, Coil> somewhere() {
     return {Eigen::Quaterniond(expRotation(noise(0.4))), Eigen::Vector3d(0, 0, 600) + noise(40)};
   }
-  /// Poses of a coil whose point (Coil, mm) stands on the tip (Camera) while it is turned by some 25 degrees.
+  /// Poses of a coil whose point (Coil, mm) stays on the tip (Camera) while it is turned by some 25 degrees.
   std::vector<RigidTransform<Camera, Marker>> pivoting(const Eigen::Vector3d& point_mm, int frames,
                                                        double turn_rad) {
     const Eigen::Vector3d tip_mm(20, 30, 580);

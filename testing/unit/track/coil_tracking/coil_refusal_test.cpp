@@ -1,4 +1,4 @@
-// What must not be taken for the coil, and faults of the cameras.
+// Objects that must not be taken for the coil, and faults of the cameras.
 #include <gtest/gtest.h>
 
 #include "tracked_once.h"
@@ -49,8 +49,8 @@ TEST(CoilTracker, AMovedCameraIsLost) {
   EXPECT_EQ(lost.reason(), LostReason::camera);
 }
 
-/// As the tracker answers while the right camera stands off by 0.06 deg about `axis` of how it is thought to
-/// stand, with this stated error.
+/// Returns true if the coil is tracked although the right camera's true pose differs by 0.06 deg about `axis`
+/// from the assumed one, with this given error.
 bool isTrackedBeside(const Eigen::Vector3d& axis, double sigma_deg) {
   const auto real = roomRig();
   const auto frame = renderMarkers(real, {{id7(), 60, markerPose(600, 20, 70, 10)}});

@@ -16,7 +16,7 @@ struct CameraView {
   Eigen::Isometry3d view_T_camera;
 };
 
-/// The outline of the print's paper in the image at this pose, with a margin.
+/// Region of the print's paper in the image at this pose, with a margin.
 cv::Rect region(const CameraView& view, const PlacedPrint& placed, const Eigen::Isometry3d& pose,
                 cv::Size size) {
   const double half_mm = (0.5 + placed.margin_cells / placed.print.rows) * placed.size_mm;

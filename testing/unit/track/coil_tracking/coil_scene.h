@@ -16,7 +16,7 @@ using Print = cv::Mat_<float>;  // cells of the square, border included; white a
 
 /// The print of an ArUco marker.
 Print arucoPrint(int predefined_dictionary, int id);
-/// Left and right exchanged, as in a mirror.
+/// Exchanges left and right of the print, as in a mirror.
 Print mirrored(const Print& print);
 
 struct PlacedPrint {
@@ -26,7 +26,7 @@ struct PlacedPrint {
   double margin_cells = 1.0;                              // white around the square
   Eigen::Vector3d moving_mm_s = Eigen::Vector3d::Zero();  // Camera; cameras with a row time see it sheared
 
-  /// Its pose when the camera exposes this row.
+  /// Pose of the print when the camera exposes this row.
   Eigen::Isometry3d inRow(double row, const cameras::CameraModel& camera, int rows) const {
     Eigen::Isometry3d pose = camera_T_marker.isometry();
     pose.translation() += camera.row_time_s * (row - 0.5 * (rows - 1)) * moving_mm_s;
@@ -47,14 +47,13 @@ struct SceneOptions {
 cameras::StereoFrame renderMarkers(const cameras::StereoRig& rig, const std::vector<PlacedPrint>& prints,
                                    const SceneOptions& options = {});
 
-/// Two cameras as in the room: f 800 px at 640 x 480, baseline 120 mm, converging by 10 degrees, with
-/// distortion.
+/// The room's two cameras: f 800 px at 640 x 480, baseline 120 mm, converging by 10 degrees, with distortion.
 cameras::StereoRig roomRig();
 /// Another rig: 1000 x 750, f 1150, baseline 180 mm rolled by 80 degrees (nearly vertical), rational model.
 cameras::StereoRig steepRig();
 
-/// A marker facing the rig at `distance_mm`: tilted about an axis in its plane at `axis_deg`, rotated in its
-/// plane by `turn_deg`, shifted sideways by `side_mm`.
+/// Pose of a marker facing the rig at `distance_mm`: tilted about an axis in its plane at `axis_deg`, rotated
+/// in its plane by `turn_deg`, shifted sideways by `side_mm`.
 RigidTransform<Camera, Marker> markerPose(double distance_mm, double tilt_deg, double axis_deg,
                                           double turn_deg, const Eigen::Vector2d& side_mm = {0, 0});
 

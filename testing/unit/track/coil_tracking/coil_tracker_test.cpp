@@ -33,7 +33,7 @@ std::ostream& operator<<(std::ostream& out, const Errors& e) {
              << e.lost;
 }
 
-/// Poses over distance, tilt and its direction, rotation in the plane and position in the image.
+/// Errors over distance, tilt and its direction, rotation in the plane and position in the image.
 Errors sweep(const cameras::StereoRig& rig, const std::vector<double>& distances_mm,
              const std::vector<double>& tilts_deg, SceneOptions options = {}) {
   Errors errors;
@@ -73,8 +73,8 @@ TEST(CoilTracker, DoesNotCareWhichWayTheBaselineRuns) {
   EXPECT_LE(errors.rotation_deg(), 0.15) << errors;
 }
 
-// Gamma and blur move every edge into the black. A fixed print size would turn that into a millimetre of
-// depth.
+// Gamma and blur move every edge into the black. With a fixed print size this would cause a millimetre of
+// depth error.
 TEST(CoilTracker, GammaAndBlurDoNotMoveTheDepth) {
   SceneOptions options;
   options.gamma = 0.45;
@@ -95,7 +95,7 @@ TEST(CoilTracker, StereoSetsTheDepthOfAPrintOfTheWrongSize) {
   EXPECT_THAT(pose->camera_T_marker, PoseNear(truth, 0.3, 0.4));  // a fixed size would give 6 mm of error
 }
 
-// A print known to have 60 mm that appears as 59.4 mm would be 6 mm too near: a camera has turned.
+// A print of known 60 mm that measures 59.4 mm would be 6 mm too near: a camera has turned.
 TEST(CoilTracker, AMeasuredPrintOfTheWrongSizeMeansThatACameraMoved) {
   const auto lost =
       trackOnce(roomRig(), renderMarkers(roomRig(), {{id7(), 59.4, markerPose(600, 20, 30, 10)}}));
@@ -169,13 +169,13 @@ TEST(CoilTracker, FollowsMotionAndComesBackAfterALoss) {
   }
 }
 
-/// Comes in at 300 mm/s and stops, like a coil that is moved to the head.
+/// Pose of a coil that comes in at 300 mm/s and stops, like one that is moved to the head.
 RigidTransform<Camera, Marker> broughtIn(double t_s) {
   const double left_s = std::max(0.0, 0.4 - t_s), away_mm = 300 * left_s * left_s / 0.8;
   return markerPose(600 + 0.3 * away_mm, 20, 70, 10, {0.8 * away_mm, -0.6 * away_mm});
 }
 
-// Without correction, 12 ms at 300 mm/s give 15 mm of error in depth; with a velocity one frame late, 2 mm.
+// 12 ms at 300 mm/s give 15 mm of error in depth without correction; with a velocity one frame late, 2 mm.
 TEST(CoilTracker, ACoilThatStopsIsWhereTheLeftCameraSeesItThoughTheRightOneExposesLater) {
   const auto rig = roomRig();
   constexpr double kLate_s = 0.012;
@@ -205,7 +205,7 @@ cameras::StereoFrame movedFrame(const cameras::StereoRig& rig, int i) {
   return frame;
 }
 
-// The head has used up the budget: the coil is found in the next frame, where it is then.
+// The head has used up the budget: the coil is found in the next frame, at its position in that frame.
 TEST(CoilTracker, WhatAFrameHasNoRoomForIsDoneInTheNextInItsPictures) {
   const auto rig = roomRig();
   for (const int before :

@@ -55,7 +55,7 @@ TEST(DarkAreas, OutlinesRunClockwiseAndShortOnesAreLeftOut) {
   }
 }
 
-/// The same, step by step, with OpenCV's functions.
+/// Computes the dark areas step by step with OpenCV's functions.
 cv::Mat darkByOpenCv(const cv::Mat& grey, const Darkness& darkness) {
   cv::Mat low, high, tiles_low, tiles_high, dark(grey.size(), CV_8U);
   cv::erode(grey, low, cv::Mat::ones(2, 2, CV_8U), {0, 0});  // of a pixel and those right of and below it

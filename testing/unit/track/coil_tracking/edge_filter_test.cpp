@@ -1,5 +1,4 @@
-// The place of an edge along a row, on edges whose place is known: a blurred step, integrated over each
-// pixel.
+// Position of an edge along a row, on known edges: a blurred step, integrated over each pixel.
 
 #include "edge_filter.h"
 
@@ -20,7 +19,7 @@ double stepIntegral(double u) {
   return u * 0.5 * std::erfc(-u / std::sqrt(2.0)) + std::exp(-0.5 * u * u) / std::sqrt(2 * M_PI);
 }
 
-/// A row of pixels `step` bytes apart, with an edge at `edge_px`; black after it if asked for.
+/// Row of pixels `step` bytes apart, with an edge at `edge_px`; black after it on request.
 struct Row {
   std::vector<std::uint8_t> bytes;
   int step;

@@ -10,7 +10,7 @@
 namespace facenav::coil_tracking {
 namespace {
 
-/// The page's rectangles painted at 8 pixels per millimetre.
+/// Paints the page's rectangles at 8 pixels per millimetre.
 cv::Mat painted(const std::string& svg) {
   const double scale = 8;
   cv::Mat page(int(297 * scale), int(210 * scale), CV_8U, cv::Scalar(128));

@@ -25,7 +25,8 @@ MarkerPattern pattern(int id = 7) {
   return MarkerPattern::load(model);
 }
 
-/// The print drawn upright, 20 px a cell, with its black square at (60, 60); `grey` of black and white.
+/// Draws the print upright, 20 px a cell, with its black square at (60, 60); `black` and `white`: grey
+/// levels.
 cv::Mat drawn(const cv::Mat_<float>& cells, int black = 30, int white = 210) {
   const int cell = 20, side = cells.rows * cell;
   cv::Mat image(side + 120, side + 120, CV_8U, cv::Scalar(white));
@@ -36,7 +37,7 @@ cv::Mat drawn(const cv::Mat_<float>& cells, int black = 30, int white = 210) {
   return image;
 }
 
-/// The square's corners in such a picture, the `first` one first. Edges lie half a pixel before the first
+/// Corners of the square in such a picture, the `first` one first. Edges lie half a pixel before the first
 /// pixel.
 Quad corners(const cv::Mat& image, int first = 0) {
   const double low = 59.5, high = image.cols - 60.5;

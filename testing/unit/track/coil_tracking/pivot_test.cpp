@@ -18,7 +18,7 @@ using Poses = std::vector<RigidTransform<Camera, Marker>>;
 
 const Eigen::Vector3d kTip_mm(30, -20, 550), kPoint_mm(5, -70, 12);
 
-/// The marker turned by these rotation vectors (rad) while kPoint_mm of its frame stays on the tip.
+/// Poses of the marker turned by these rotation vectors (rad) while kPoint_mm of its frame stays on the tip.
 Poses pivoting(const std::vector<Eigen::Vector3d>& turns) {
   Poses poses;
   for (const auto& turn : turns) {

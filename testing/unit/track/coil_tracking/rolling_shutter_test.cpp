@@ -21,8 +21,7 @@ cameras::StereoRig rollingRig(double row_time_s) {
   return rig;
 }
 
-/// Low in the picture, where rows are read some milliseconds after the middle
-/// one.
+/// Pose low in the picture, where rows are read some milliseconds after the middle one.
 RigidTransform<Camera, Marker> swungTo(double t_s) {
   auto pose = markerPose(600, 20, 70, 10, {-40, 110}).isometry();
   pose.translation() += t_s * kSwing_mm_s;
@@ -40,9 +39,8 @@ cameras::StereoFrame swungFrame(const cameras::StereoRig& rig, int i) {
   return frame;
 }
 
-/// The largest error from the third frame on, mm: by then the velocity is
-/// known. Cameras of `truth` film, `stated` is what the tracker is told.
-/// Infinite where the coil is lost.
+/// Largest error from the third frame on, when the velocity is known, mm. Cameras of `truth` film; the
+/// tracker gets `stated`. Infinite if the coil is lost.
 double worstError_mm(const cameras::StereoRig& truth, const cameras::StereoRig& stated) {
   const auto tracker = makeMarkerCoilTracker();
   tracker->start(stated, defaultCoil());
@@ -61,7 +59,7 @@ TEST(RollingShutter, TheRowTimePutsASwungCoilWhereItIsInTheMiddleRowsMoment) {
   const auto rolling = rollingRig(42e-6);  // 20 ms a picture
   EXPECT_LT(worstError_mm(rolling, rolling), 0.3);
   EXPECT_GT(worstError_mm(rolling, rollingRig(0)),
-            0.9);  // what it costs not to know it
+            0.9);  // error without knowing the row time
 }
 
 TEST(RollingShutter, ACameraThatReadsFromBelowHasANegativeRowTime) {
@@ -89,7 +87,7 @@ TEST(RollingShutter, TheRowTimeDoesNotMoveAStillCoil) {
   EXPECT_THAT(pose_of(stated, frame), PoseNear(pose_of(rig, frame), 1e-6, 1e-6));
 }
 
-/// Waved to and fro in front of the cameras, as a hand does: at up to 250 mm/s.
+/// Print waved to and fro in front of the cameras, as a hand does: at up to 250 mm/s.
 PlacedPrint waved(double t_s) {
   const Eigen::Vector3d reach_mm(30, 22, 25), turn_rad_s(2 * M_PI * 1.2, 2 * M_PI * 0.9, 2 * M_PI * 0.7);
   auto pose = markerPose(600, 20, 70, 10, {-40, 60}).isometry();
@@ -102,8 +100,7 @@ PlacedPrint waved(double t_s) {
   return print;
 }
 
-/// Root mean square error of the second second, mm. Infinite where the coil is
-/// lost then.
+/// Root mean square error from 1 s to 2 s, mm. Infinite if the coil is lost then.
 double errorOfWaving_mm(const cameras::StereoRig& truth, const cameras::StereoRig& stated,
                         double late_s = 0.0, int known_from = 0) {
   const auto tracker = makeMarkerCoilTracker();
@@ -120,9 +117,7 @@ double errorOfWaving_mm(const cameras::StereoRig& truth, const cameras::StereoRi
     CoilContext context;
     if (late_s != 0.0 && i >= known_from) context.exposure_offset = {late_s, 3e-4};
     const auto pose = tracker->track(frame, context);
-    if (i < 30)
-      continue;  // a shear that nothing explains yet may look like a turned
-                 // camera: lost
+    if (i < 30) continue;  // may be lost: a shear without an explanation may look like a turned camera
     if (!pose) return std::numeric_limits<double>::infinity();
     const double error_mm = poseError(pose->camera_T_marker, print.camera_T_marker).translation_mm;
     squares += error_mm * error_mm;

@@ -1,5 +1,5 @@
 #pragma once
-// The default coil's print, and a tracker's answer about a single stereo pair.
+// Print of the default coil, and a tracker's answer for a single stereo pair.
 
 #include <opencv2/aruco.hpp>
 

@@ -1,5 +1,5 @@
-// A face that returns compressed, rotated and with its jaw down: it is found, kept apart from another's, and
-// not shown when the two images are out of step.
+// A face that returns compressed, rotated and with its jaw down: it is found, distinguished from another
+// person's, and not shown when the two images are out of step.
 
 #include "head_scene.h"
 
@@ -49,7 +49,7 @@ TEST_F(CompressedFace, IsFoundAgainTurnedAndWithItsJawDown) {
   }
 }
 
-/// On a slow machine the answer comes late, but it still gives a start.
+/// On a slow machine the answer is late, but it still gives a start.
 TEST_F(CompressedFace, IsFoundAgainByAnAnswerThatComesLate) {
   const auto tracker = started(head_tracking::Pace::as_live);
   std::string word = "never asked";
@@ -61,8 +61,8 @@ TEST_F(CompressedFace, IsFoundAgainByAnAnswerThatComesLate) {
   EXPECT_EQ(word, "");
 }
 
-/// The patches find the face one frame after the recovery was asked. Their pose is doubtful and not shown, so
-/// the answer still counts.
+/// The patches find the face one frame after the recovery was requested. Their pose is doubtful and not
+/// shown, so the answer is still used.
 TEST_F(CompressedFace, ThatIsBackIsShownByTheFirstAnswer) {
   const auto tracker = started(head_tracking::Pace::as_live);
   double found_s = 1e9;
@@ -98,11 +98,11 @@ TEST_F(CompressedFace, IsLearntAndKnownInTheNextSession) {
   EXPECT_FALSE(second->track(compressed(other.render(rig_, later(2, 4.0)))).isTracked());
 }
 
-/// A question whose answer was discarded must not be the last one.
+/// After an answer was discarded, another request must follow.
 TEST_F(CompressedFace, IsAskedAboutAgainAfterWhatWasLearntWasForgotten) {
   const auto tracker = started(head_tracking::Pace::as_live);
   int questions = 0;
-  for (int i = 3; i < 55; ++i) {  // the first question was asked; its answer has not been read yet
+  for (int i = 3; i < 55; ++i) {  // the first request was made; its answer has not been read yet
     const auto pose = tracker->track(compressed(face_->render(rig_, stillView(i))), {{}, i == 3});
     EXPECT_TRUE(pose.isTracked()) << i;
     questions += pose.beside_ms > 0;
@@ -130,7 +130,7 @@ TEST_F(CompressedFace, OnSidesOfTwoMomentsIsNeverShown) {
   }
 }
 
-/// Cameras without a trigger see a moving head at two places: that must not end the track permanently.
+/// Cameras without a trigger see a moving head at two places, which must not end the track permanently.
 TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   const auto tracker = started();
   std::string word = "never asked";
@@ -145,8 +145,7 @@ TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   EXPECT_EQ(word, "");
 }
 
-/// A real person before three real cameras (../shared/data/real_faces). `facenav evaluate pairs` finds 40 of
-/// 40 returns; here two, by two pairs of cameras.
+/// A real person before three real cameras (../shared/data/real_faces), two returns, by two pairs of cameras.
 class RealFace : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -22,7 +22,8 @@ TEST_F(HeadTrackers, EachKeepsTheContract) {
   }
 }
 
-/// After the drift watchdog's alarm, what was learnt is dropped and the patient is found from the reference.
+/// After the drift watchdog's alarm, learnt key frames are dropped and the patient is found from the
+/// reference.
 TEST_F(HeadTrackers, EachFindsThePatientInTheFrameThatPutsItsLearningInDoubt) {
   for (const bool is_model : {true, false}) {
     const auto tracker = make(is_model);

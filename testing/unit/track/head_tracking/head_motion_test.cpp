@@ -19,7 +19,7 @@ Vector6d velocity() {
   return v;
 }
 
-/// A head that moves steadily, its own axes, about its centre.
+/// Pose of a head that moves steadily, in its own axes, about its centre.
 Isometry3d poseAt(double time_s, const Vector6d& v = velocity()) {
   return Isometry3d(Translation3d(5, 6, 7)) * Translation3d(kCentre) * expRigid(v * time_s) *
          Translation3d(-kCentre);
@@ -87,7 +87,8 @@ TEST(HeadMotion, TwoPosesOfOneMomentGiveNoSpeed) {
 }
 
 TEST(HeadMotion, TheSteadyVelocityFollowsWithinThirtyMilliseconds) {
-  // At rest, then at once at full speed: 1 - 1/e of it after the time constant, at any frame rate.
+  // The head rests, then moves at full speed: the estimate reaches 1 - 1/e of it after the time constant, at
+  // any frame rate.
   for (const double frame_s : {0.001, 0.003}) {
     Vector6d v = Vector6d::Zero();
     v[3] = 100;

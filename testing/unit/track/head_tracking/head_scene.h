@@ -1,5 +1,5 @@
 #pragma once
-// Common to the tests of both head trackers: a synthetic face with known motion.
+// Common parts of the tests of both head trackers: a synthetic face with known motion.
 
 #include <gtest/gtest.h>
 

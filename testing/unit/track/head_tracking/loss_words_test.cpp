@@ -1,4 +1,4 @@
-// What a loss looks like, and the sharpness that tells it.
+// The reasons of a loss, and the sharpness that determines them.
 
 #include "head/loss_words.h"
 

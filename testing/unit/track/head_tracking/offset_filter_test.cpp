@@ -27,7 +27,7 @@ class MovingFace {
     }
   }
 
-  /// Residual displacements of a head that moves at `velocity`, its left pose known with some error, when the
+  /// Residual displacements of a head that moves at `velocity`, its left pose known with some error, if the
   /// fit corrected for the motion `allowed`.
   PoseFit fit(const Vector6d& velocity, double late_s, const Vector6d& allowed, double shared_px = 0.0) {
     PoseFit fit;

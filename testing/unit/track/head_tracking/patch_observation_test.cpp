@@ -1,4 +1,4 @@
-// Information in the patches about the pose: mean and difference against the whole covariance, and filters
+// Information of the patches about the pose: mean and difference against the whole covariance, and filters
 // against shading.
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(PatchWorth, MeanAndDifferenceTellAllThatTheWholeCovarianceTells) {
   Matrix6d observed = Matrix6d::Zero();
   for (const auto& part : observedByBoth(patch, unchanged()))
     observed += part.jacobian.transpose() * part.covariance.inverse() * part.jacobian;
-  // The same with all four errors at once: each camera's own, and one along the skin common to both.
+  // All four errors at once: each camera's own, and one along the skin common to both.
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << patch.right_mm, patch.down_mm;
   Eigen::Matrix<double, 4, 2> seen;

@@ -44,7 +44,7 @@ TEST_F(HeadTrackers, AFaceLostAtTheSideIsFoundAgainThere) {
   EXPECT_LT(frames, 6) << "0.2 s";
 }
 
-/// A large step, as between two axes of the paper's protractor or with few frames per second. The work of a
+/// Large step, as between two axes of the paper's protractor or with few frames per second. The work of a
 /// frame is limited, so the fit may be deferred to the next one.
 TEST_F(HeadTrackers, AFaceThatLeapsIsFoundInTheSameFrameOrTheNext) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());

@@ -9,7 +9,7 @@ using namespace head_tracking::testing;
 using testing::SyntheticFace;
 using testing::SyntheticView;
 
-// A damage to a good frame. Either tracker must refuse the result, after some good frames.
+// Damage to a good frame. Either tracker must refuse the result, after some good frames.
 struct Damage {
   const char* name;
   std::function<void(cameras::StereoFrame&)> apply;
@@ -178,8 +178,7 @@ TEST_F(HeadTrackers, ALossOfAFaceThatIsBlurredOrTooFarSaysSo) {
   EXPECT_EQ(word, "too_far");
 }
 
-/// A head that was near is not far away a tenth of a second later, whatever the fit says: a hand over the
-/// face can mislead a fit.
+/// A near head cannot be far away a tenth of a second later: a hand over the face can mislead a fit.
 TEST_F(HeadTrackers, NobodyIsTooFarAMomentAfterBeingNear) {
   const auto tracker = head_tracking::makeModelHeadTracker(detector());
   start(*tracker, true);

@@ -29,13 +29,13 @@ class Skin : public ::testing::Test {
   }
   static void TearDownTestSuite() { points_.reset(), rig_.reset(); }
 
-  // Windows found in the reference's own images, searched near the face at `predicted`.
+  // Matches of windows of the reference in its own images, searched near the face at `predicted`.
   static std::vector<SkinMatch> foundFrom(const Isometry3d& predicted) {
     const SkinView& reference = points_->reference();
     return points_->find(reference, *rig_, reference.pictures, predicted, {0, 6, 1});
   }
 
-  // The point's own place in a camera's image.
+  // True position of the point in a camera's image.
   static Eigen::Vector2d placeOf(const SkinMatch& match) {
     const Eigen::Vector3d& p_mm = (*points_)[std::size_t(match.point)].mm;
     return match.camera == 0 ? cameras::project(rig_->left, p_mm)
@@ -49,8 +49,8 @@ class Skin : public ::testing::Test {
 std::unique_ptr<cameras::StereoRig> Skin::rig_;
 std::unique_ptr<SkinPoints> Skin::points_;
 
-// Median distance to each point's own place. The parabola through the best correlation has an error of some
-// hundredths of a pixel; a place rounded to whole pixels, of some tenths.
+// Median distance to each point's true position. The parabola through the best correlation has an error of
+// some hundredths of a pixel; rounding to whole pixels, some tenths.
 double medianError_px(const std::vector<SkinMatch>& matches,
                       const std::function<Eigen::Vector2d(const SkinMatch&)>& place) {
   std::vector<double> errors_px;
@@ -76,7 +76,7 @@ TEST_F(Skin, IsFoundInItsPlaceFromAPredictionThatIsOff) {
   }
 }
 
-// Cheeks and hair, a quarter of all windows, move up by 3 mm as one piece while the head moves.
+// Cheeks and hair, a quarter of all windows, move up by 3 mm together while the head moves.
 TEST_F(Skin, ThatMovesAsOnePieceDoesNotTakeThePoseAlong) {
   auto matches = foundFrom(Isometry3d::Identity());
   Vector6d truth;

@@ -44,7 +44,8 @@ class FaceOfTwo {
   std::mt19937_64 random_;
 };
 
-/// What a turn of the right camera about its vertical axis looks like: (rad, mm) about the face's centre.
+/// Apparent motion by a rotation of the right camera about its vertical axis: (rad, mm) about the face's
+/// centre.
 Vector6d byYaw(double deg) {
   const double rad = deg * kRadPerDeg;
   Vector6d zeta = Vector6d::Zero();

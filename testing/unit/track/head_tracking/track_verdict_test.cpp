@@ -1,4 +1,4 @@
-// Tracked or lost, and what moves the weights: from measurements made by hand.
+// Tracked or lost, and changes of the weights, from synthetic measurements.
 
 #include "head/track_verdict.h"
 
@@ -19,7 +19,7 @@ PatchMeasurement seen(bool is_good) {
   return m;
 }
 
-/// A fit of 100 patches, of which so many look as expected in each camera; the pose is known to 0.1 mm.
+/// Fit of 100 patches, of which so many look as expected in each camera; the pose is known to 0.1 mm.
 PoseFit fitWith(int good_left, int good_right) {
   PoseFit fit;
   for (int i = 0; i < 100; ++i) fit.measurements.push_back({seen(i < good_left), seen(i < good_right)});
@@ -127,7 +127,7 @@ TEST(PatchWeights, OneBadFrameCostsLittle) {
   weights.learn(distances(1e4f, 1e4f), 1.0 / 60);
   EXPECT_GT(weights.weights()[0], 0.75f);
   PatchWeights after_a_pause(1);
-  after_a_pause.learn(distances(1e4f, 1e4f), 30.0);  // counts as a tenth of a second
+  after_a_pause.learn(distances(1e4f, 1e4f), 30.0);  // limited to a tenth of a second
   EXPECT_GT(after_a_pause.weights()[0], 0.3f);
 }
 
@@ -144,7 +144,7 @@ TEST(PatchWeights, WhatIsNotSeenKeepsItsWeightAndForgettingGivesItBack) {
   EXPECT_EQ(weights.weights()[0], 1.0f);
 }
 
-/// Patch 0 amid a grid of neighbours, 8 px apart, under light that changes by `slope` of itself a pixel.
+/// Patch 0 amid a grid of neighbours, 8 px apart, in light that changes by the share `slope` a pixel.
 struct LitFace {
   std::vector<Neighbour> neighbours;
   PatchMeasurements measurements;

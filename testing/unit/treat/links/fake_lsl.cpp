@@ -1,4 +1,4 @@
-// A stand-in for liblsl.so.2: one marker stream, whose samples the test sends.
+// A fake liblsl.so.2: one marker stream, whose samples the test sends.
 
 #include <chrono>
 #include <condition_variable>
@@ -17,7 +17,7 @@ bool g_has_stream = true;
 bool g_is_followed = false;
 constexpr double kBehind_s = 1000.0;
 double g_behind_s = kBehind_s;      // the stream's clock is behind this machine's
-double g_correction_s = kBehind_s;  // what is known of that
+double g_correction_s = kBehind_s;  // the correction that is returned
 bool g_has_correction = true;
 
 double steady_s() {
@@ -28,20 +28,20 @@ double steady_s() {
 
 extern "C" {
 
-/// For the test: a sample that was made `age_s` ago, by the stream's clock.
+/// Sends, for the test, a sample that was made `age_s` ago by the stream's clock.
 void fake_lsl_send_late(double age_s) {
   const std::lock_guard lock(g_mutex);
   g_samples.push_back(steady_s() - g_behind_s - age_s);
   g_changed.notify_all();
 }
 void fake_lsl_send() { fake_lsl_send_late(0); }
-/// The stream's clock, and what lsl_time_correction says of it; it fails without `has_correction`.
+/// Sets the stream's clock and the result of lsl_time_correction, which fails without `has_correction`.
 void fake_lsl_set_clock(double behind_s, double correction_s, int has_correction) {
   const std::lock_guard lock(g_mutex);
   g_behind_s = behind_s, g_correction_s = correction_s, g_has_correction = has_correction != 0;
 }
 void fake_lsl_reset_clock() { fake_lsl_set_clock(kBehind_s, kBehind_s, 1); }
-/// An inlet is there and hears what is sent.
+/// Returns true if an inlet is connected and receives samples.
 int fake_lsl_is_followed() {
   const std::lock_guard lock(g_mutex);
   return g_is_followed ? 1 : 0;
@@ -60,7 +60,7 @@ std::int32_t lsl_get_channel_count(void*) { return 2; }
 void lsl_destroy_streaminfo(void*) {}
 void* lsl_create_inlet(void* info, std::int32_t, std::int32_t, std::int32_t) {
   const std::lock_guard lock(g_mutex);
-  g_samples.clear();  // an inlet hears only what comes after it
+  g_samples.clear();  // an inlet receives only later samples
   return info;
 }
 void lsl_destroy_inlet(void*) {

@@ -1,4 +1,4 @@
-// Every source by its real way in: sockets, a pair of pseudo terminals, a stand-in for liblsl.
+// Every source by its real input: sockets, a pair of pseudo terminals, a fake liblsl.
 
 #include <arpa/inet.h>
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ using testing::HeardPulses;
 
 constexpr double kThetaBurst_s = 0.02, kByHand_s = 0.16;
 
-/// A socket that sends to this machine.
+/// Socket that sends to this machine.
 class Sender {
  public:
   Sender(int type, int port) : socket_(::socket(AF_INET, type | SOCK_CLOEXEC, 0)) {
@@ -39,7 +39,7 @@ class Sender {
   int socket_;
 };
 
-/// A port that is free now.
+/// Port that is free now.
 int freePort(int type) {
   const int socket = ::socket(AF_INET, type, 0);
   sockaddr_in place{};
@@ -81,7 +81,7 @@ TEST(PulseSources, TcpKeepsTheContract) {
       kThetaBurst_s);
 }
 
-/// A pair of pseudo terminals: what is written to `master` arrives at the port.
+/// Pair of pseudo terminals: bytes written to `master` arrive at the port.
 struct Terminals {
   Terminals() {
     char path[128] = "";
@@ -141,7 +141,7 @@ TEST(PulseSources, APortWithoutLinesIsRefusedForEdges) {
   EXPECT_THROW(source->start({}), Error) << "a pseudo terminal has no CTS";
 }
 
-/// The stand-in for liblsl; at the end its clock is as at first.
+/// The fake liblsl; the destructor resets its clock.
 struct FakeLsl {
   FakeLsl() : library(::dlopen("liblsl.so.2", RTLD_NOW)) {
     find("fake_lsl_send", send);
@@ -157,7 +157,7 @@ struct FakeLsl {
   void find(const char* name, Function& function) const {
     if (library) function = reinterpret_cast<Function>(::dlsym(library, name));
   }
-  /// False: this is another liblsl, or none.
+  /// Returns false if this is another liblsl, or none.
   bool isThere() const { return send && sendLate && setClock && resetClock && isFollowed; }
 
   void* library;
@@ -174,7 +174,7 @@ bool comes(Condition condition) {
   return condition();
 }
 
-/// A source that follows the stand-in's stream, and what it tells.
+/// Source that follows the fake stream, and its reports.
 class LslClock : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -188,7 +188,7 @@ class LslClock : public ::testing::Test {
     source_->start(heard_.listener());
     ASSERT_TRUE(comes([&] { return lsl_.isFollowed() != 0; }));
   }
-  /// How long before it was sent a pulse is dated that was made `age_s` ago; at most 0: by its arrival.
+  /// Time by which a pulse made `age_s` ago is dated before its sending; at most 0: dated by its arrival.
   double datedBack_s(double age_s) {
     const std::size_t count = heard_.triggers().size() + 1;
     const Timestamp before = Timestamp::now();
@@ -227,7 +227,7 @@ TEST_F(LslClock, IsFollowedWhileItDrifts) {
 TEST_F(LslClock, ARebootedComputersPulsesAreTimedByTheirArrivalUntilItsClockIsKnown) {
   start();
   EXPECT_NEAR(datedBack_s(0), 0, kNear_s);
-  lsl_.setClock(90000, 1000, 1);  // it counts from its start; the old correction still stands
+  lsl_.setClock(90000, 1000, 1);  // it counts from its start; the old correction is still set
   for (int i = 0; i < 2; ++i) EXPECT_LE(datedBack_s(0.5), 0);
   lsl_.setClock(90000, 0, 0);
   EXPECT_LE(datedBack_s(0.5), 0);
@@ -243,7 +243,7 @@ TEST_F(LslClock, AStampHoursAwayIsNotTakenAndSaidOnceUntilOneIsGood) {
   start();
   for (const double away_s : {7200.0, -7200.0, 1.5}) {
     EXPECT_LE(datedBack_s(away_s), 0) << away_s;
-    std::this_thread::sleep_for(std::chrono::milliseconds(120));  // longer than it waits for a sample
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));  // longer than the wait for a sample
   }
   ASSERT_EQ(heard_.problems().size(), 1u) << "the clock's being known takes nothing back";
   EXPECT_THAT(heard_.problems()[0], HasSubstr("more than a second off"));
@@ -260,7 +260,7 @@ TEST(PulseSources, LslKeepsTheContract) {
   testing::expectPulseSourceContract(
       *source,
       [&] {
-        // An inlet takes a moment to be there; samples before it are not heard.
+        // An inlet takes a moment to connect; earlier samples are not received.
         if (times == 0 || times == 16) std::this_thread::sleep_for(std::chrono::milliseconds(50));
         ++times;
         lsl.send();

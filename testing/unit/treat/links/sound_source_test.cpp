@@ -1,4 +1,4 @@
-// The coil's click by its sound: the detector on made sound, the clock of a sound card, and both inputs.
+// The coil's click by its sound: the detector on synthetic sound, the clock of a sound card, and both inputs.
 
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ testing::ClickScore heardIn(const MadeClicks& made) {
   return testing::scoreOf(sound.clicks_s, told_s);
 }
 
-/// The rules were fitted on seeds 1 to 8.
+/// Seeds for the tests; the rules were fitted on seeds 1 to 8.
 constexpr unsigned kFirst = 201, kLast = 206;
 
 TEST(Clicks, OfTrainsAreHeardOnceAndToTheMillisecond) {
@@ -163,7 +163,7 @@ TEST(SoundSource, ARecordedTrainIsHeardAsItIsPlayed) {
 #endif
 
 #ifdef FACENAV_HAS_ALSA
-/// ALSA's own plug-ins stand in for a card: what is "captured" comes from a file.
+/// ALSA's own plug-ins replace a card: the "captured" sound comes from a file.
 TEST(SoundSource, ADeviceOfAlsaIsHeard) {
   MadeClicks made;
   made.pulses = 12;

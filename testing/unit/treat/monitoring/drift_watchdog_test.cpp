@@ -96,7 +96,7 @@ TEST(DriftWatchdog, ChecksAFaceFoundAgainAtOnce) {
   EXPECT_LT(first_after_s, 3.05);
 }
 
-/// Live: frames continue while the face is measured; the answer counts when it arrives.
+/// Live frames continue while the face is measured; the answer is used when it arrives.
 TEST(DriftWatchdog, NeverHoldsAFrameUp) {
   std::promise<void> finish;
   auto may_finish = finish.get_future().share();

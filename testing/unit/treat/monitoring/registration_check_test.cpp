@@ -22,7 +22,7 @@ std::shared_ptr<const cameras::StereoFrame> frameAt(double captured_s) {
   return frame;
 }
 
-/// What a check says whose measurements are these in turn, and when (s after its begin).
+/// Result of a check with these measurements in turn, and its time (s after its begin).
 struct Checked {
   std::optional<RegistrationFinding> finding;
   double took_s = 0;

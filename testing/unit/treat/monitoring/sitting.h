@@ -59,7 +59,7 @@ class Sitting {
     return check_->measure(frame, RigidTransform<Camera, Mri>::fromIsometry(pose));
   }
 
-  /// Of a reference picture that shows the head as in `view`, while its surface was aligned unmoved.
+  /// Finding for a reference picture that shows the head as in `view`, while its surface was aligned unmoved.
   DriftFinding atReference(const SyntheticView& view) const {
     head_tracking::HeadReference moved = reference_;
     moved.frame = render(view);

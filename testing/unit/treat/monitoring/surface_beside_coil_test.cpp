@@ -1,5 +1,5 @@
 // The live surface beside a coil, on a rendered portrait whose shape and pose are known exactly. The coil is
-// not in the picture: only its outline is left out of what is measured.
+// not in the picture: only its outline is excluded from the measurement.
 
 #include "facenav/monitoring/surface_beside_coil.h"
 
@@ -15,7 +15,7 @@ using namespace sitting;
 
 const std::vector<Eigen::Vector2d> kOutline{{-12, -12}, {12, -12}, {12, 12}, {-12, 12}};
 
-/// The contact face before the face's middle, its axis along the cameras' view.
+/// Coil with its contact face before the face's middle, its axis along the cameras' view.
 RigidTransform<Camera, Coil> coilAt(const Eigen::Vector3d& p_mm) {
   return {Eigen::Quaterniond::Identity(), p_mm};
 }
@@ -46,7 +46,7 @@ TEST(SurfaceBesideCoil, LiesOnTheSkinWhereTheHeadIsTrackedRight) {
   }
 }
 
-/// Median cosine between the view and the normal of skin that faces the cameras, in a square round the
+/// Median cosine between the view and the normal of skin that faces the cameras, in a square around the
 /// middle.
 double usualFacing() {
   std::vector<double> facing;
@@ -70,8 +70,8 @@ TEST(SurfaceBesideCoil, SeesByHowMuchTheHeadIsTrackedTooNearOrTooFar) {
   for (const double off_mm : {-3.0, 3.0}) {
     const auto found = measureAt(view, Sitting::shared().about({0, 0, 0}, {0, 0, off_mm}) * view.motion);
     ASSERT_TRUE(found.has_measured) << found.unseen;
-    // A head that is tracked too far leaves the true surface outside its skin, by the shift's part along the
-    // skin's normal.
+    // If the head is tracked too far away, the true surface lies outside its skin, by the shift's part along
+    // the skin's normal.
     EXPECT_NEAR(found.above_skin_mm - right_mm, off_mm * usualFacing(), 0.25);
   }
 }

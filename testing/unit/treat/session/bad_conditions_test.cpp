@@ -1,5 +1,5 @@
-// A session while the disk is full, its folder is removed, and the clock is set back: each is said, the
-// session goes on, and every pulse is kept once.
+// A session while the disk is full, its folder is removed, and the clock is set back: each is reported, the
+// session continues, and every pulse is stored once.
 
 #include <gmock/gmock.h>
 #include <sched.h>
@@ -52,7 +52,7 @@ void addPulses(TreatmentLog& log, int count) {
   }
 }
 
-/// What is wrong with a session that must hold `pulses` pulses, each once; empty: nothing.
+/// Fault of a session that must contain `pulses` pulses, each once; empty if there is none.
 std::string faultOf(const fs::path& session, int pulses, const char* event) {
   const auto kept = casefile::readSession(session);
   if (!kept.pulses.problems.empty()) return kept.pulses.problems.front();
@@ -77,7 +77,7 @@ std::string faultOf(const fs::path& session, int pulses, const char* event) {
   return guidance.rows() > 5 && poses.size() > 10 ? "" : "there are few frames";
 }
 
-/// The disk is full for a while. The fault in words, or nothing.
+/// Fills the disk for a while. Returns the fault in words, or nothing.
 std::string fillDisk(const fs::path& disk) {
   fs::create_directories(disk / "case");
   fs::path place;
@@ -111,7 +111,7 @@ std::string fillDisk(const fs::path& disk) {
   return faultOf(place, 15, "log resumed");
 }
 
-/// A user who may not mount may do so among users of its own.
+/// Enters a user namespace, in which any user can mount. Returns false if that is not allowed.
 bool hasOwnUsers() {
   const std::string user = std::to_string(::getuid()), group = std::to_string(::getgid());
   if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
@@ -124,7 +124,7 @@ bool hasOwnUsers() {
          tell("/proc/self/gid_map", "0 " + group + " 1");
 }
 
-/// In a child process that alone sees a small disk. "skip: .." where that is not allowed.
+/// Runs in a child process that alone sees a small disk. Returns "skip: .." if that is not allowed.
 std::string onSmallDisk(const fs::path& folder) {
   int ends[2];
   if (::pipe(ends) != 0) return "skip: no pipe";

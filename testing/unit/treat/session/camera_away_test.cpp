@@ -1,5 +1,5 @@
-// A camera is away for a while in the middle of a session: nothing is shown meanwhile, it is said, and the
-// head is shown again once its registration was checked.
+// A camera is away for a while in the middle of a session: no pose is shown meanwhile, the reason is
+// reported, and the head is shown again once its registration was checked.
 
 #include <gmock/gmock.h>
 
@@ -65,7 +65,7 @@ TEST(CameraAway, NothingIsShownUntilItIsBackAndTheRegistrationWasChecked) {
   EXPECT_TRUE(!last.withheld);
 }
 
-/// Frames 20 to 39 have no pictures.
+/// Source whose frames 20 to 39 have no pictures.
 class GapSource : public fakes::Source {
  public:
   GapSource() : Source(200, 0.02) {}
@@ -101,7 +101,7 @@ TEST(CameraAway, TheLogSaysItOnceAndThatItIsBack) {
     }
 }
 
-/// A kept rig that has moved (setup/verified_cameras.h).
+/// The source is a kept rig that has moved (setup/verified_cameras.h).
 TEST(CamerasThatMoved, PicturesWhoseSourceKnowsAFaultShowNoPose) {
   const auto navigator = awayNavigator(std::make_shared<Verdict>(Verdict::agrees));
   ASSERT_TRUE(navigator->process(fakes::frame(0, 0.0)).camera_T_mri);

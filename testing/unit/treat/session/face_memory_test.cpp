@@ -14,7 +14,7 @@ RigidTransform<Camera, Head> moved() {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 1).normalized())), {12, -7, 30}};
 }
 
-/// Has one learnt key frame of the face, and records those that it is given.
+/// Head tracker with one learnt key frame of the face; records the key frames that it gets.
 class LearningHead : public fakes::Head {
  public:
   explicit LearningHead(std::vector<head_tracking::FaceKeyFrame>& given)
@@ -50,7 +50,7 @@ TEST(FaceMemory, ALookKeepsItsPlaceInTheMriFromOneSessionToTheNext) {
   EXPECT_THAT(kept[0].camera_T_mri,
               PoseNear(moved() * fakes::cameraAtReference().reframe<Head, Mri>(), 1e-9, 1e-9));
 
-  NavigatorSetup second = fakes::setup();  // in this session the patient sits elsewhere at the reference
+  NavigatorSetup second = fakes::setup();  // in this session the patient has another seat at the reference
   const RigidTransform<Camera, Mri> there(
       Eigen::Quaterniond(Eigen::AngleAxisd(-1.0, Eigen::Vector3d(3, 1, 2).normalized())), {-40, 10, 580});
   second.camera_T_mri_at_reference = there;

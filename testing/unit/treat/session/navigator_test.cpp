@@ -205,7 +205,7 @@ TEST(Navigator, IsOnTargetWhereTheTargetWasPlannedAndFollowsTheHead) {
   EXPECT_EQ(state.guidance.state, guidance::State::on_target);
   ASSERT_TRUE(state.guidance.values);
   EXPECT_NEAR(state.guidance.values->distance_mm, 0.0, 1e-9);
-  has_moved = true;  // the coil does not move with it
+  has_moved = true;  // the coil does not move with the cameras
   state = navigator.process(fakes::frame(1, 0.02));
   EXPECT_EQ(state.guidance.state, guidance::State::adjust);
 }
@@ -242,7 +242,7 @@ TEST(Navigator, AFrameOfAnotherSizeIsACameraFault) {
   EXPECT_FALSE(state.camera_T_coil);
 }
 
-/// After three seconds of frames: a check is done by then.
+/// State after three seconds of frames, when a check is done.
 NavigationState checkedState(Navigator& navigator, std::int64_t& n) {
   NavigationState state;
   for (int i = 0; i < 30; ++i, ++n) state = navigator.process(fakes::frame(n, 0.1 * double(n)));

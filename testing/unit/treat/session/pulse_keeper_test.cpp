@@ -153,8 +153,8 @@ TEST(PulseKeeper, WhatCannotBeWrittenIsSaidAndKeptAsSoonAsItCan) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(pulses[std::size_t(i)].pulse.number, i + 1);
 }
 
-/// A session with pulses at 50 Hz, each from a source of its own; says how many are kept. Ends with the
-/// process.
+/// Runs a session with pulses at 50 Hz, each from a source of its own, and reports how many are stored. Ends
+/// with the process.
 [[noreturn]] void treatWithoutEnd(const fs::path& case_folder, int said) {
   auto navigator = std::make_unique<Navigator>(
       fakes::setup(), std::make_unique<fakes::Head>([](auto) { return RigidTransform<Camera, Head>(); }),

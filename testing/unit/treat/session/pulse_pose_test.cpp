@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 const RigidTransform<Camera, facenav::Coil> kCoil(Eigen::Quaterniond::Identity(), {20, -60, 550});
 
-/// A frame taken at `taken_s` of the steady clock, 1000 s ahead of the source's; the coil `off_mm` along its
+/// Frame taken at `taken_s` of the steady clock, 1000 s ahead of the source's; the coil is `off_mm` along its
 /// x.
 PosedFrame frameAt(std::int64_t number, double taken_s, double off_mm = 0.0) {
   PosedFrame frame;
@@ -160,7 +160,7 @@ TEST(PulsePose, OverAHollowTheGapOfThePlannedCoilIsAllowed) {
   const PosedFrame later = frameAt(2, 100.02);
   const auto mri_T_coil = frame.camera_T_mri->inverse() * *frame.camera_T_coil;
   ChosenTarget lifted = *frame.chosen;
-  lifted.target.lift_mm = 5.0;  // the plate's rim touches, its centre stands over the hollow
+  lifted.target.lift_mm = 5.0;  // the plate's rim touches, its centre is over the hollow
   lifted.target.scalp_point = mri_T_coil * Point<facenav::Coil>(0, 0, 5.0);
   frame.chosen = std::make_shared<const ChosenTarget>(lifted);
   const Eigen::Vector3d z = mri_T_coil.rotation().col(2);

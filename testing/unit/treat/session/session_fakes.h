@@ -1,5 +1,5 @@
 #pragma once
-// Stand-ins for cameras and trackers: known frames, known poses, losses on request.
+// Fake cameras and trackers: known frames, known poses, losses on request.
 
 #include <atomic>
 #include <functional>
@@ -46,7 +46,7 @@ class Source : public capture::FrameSource {
   int fails_at_;
 };
 
-/// Gives the head's pose as a function of the frame; an empty result is a loss.
+/// Returns the head's pose as a function of the frame; an empty result is a loss.
 class Head : public head_tracking::HeadTracker {
  public:
   using Pose = std::function<std::optional<RigidTransform<Camera, facenav::Head>>(std::int64_t)>;

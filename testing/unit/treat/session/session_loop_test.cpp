@@ -142,7 +142,7 @@ TEST(Session, TheClockStopsWithTheRecordingAndTheEndHasItsReason) {
   EXPECT_GE(at_end_s, 0.095);
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(session.elapsed_s(), at_end_s);
-  session.stop();  // this does not change it
+  session.stop();  // which does not change it
   EXPECT_EQ(session.elapsed_s(), at_end_s);
   EXPECT_EQ(session.end(), SessionEnd::source);
 }

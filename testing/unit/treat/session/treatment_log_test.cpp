@@ -96,7 +96,7 @@ TEST(TreatmentLog, AFolderThatIsRemovedIsSaidAndTheSessionAndItsPulsesGoOn) {
   EXPECT_EQ(casefile::readSessionPulses(place).pulses.size(), 2u);
 }
 
-/// The thread that writes stands still for most of the session, as before a disk that does not answer.
+/// The writing thread is blocked for most of the session, as by a disk that does not respond.
 TEST(TreatmentLog, ADiskThatStallsLosesNeitherAPulseNorAFrame) {
   const testing::TemporaryFolder folder;
   std::filesystem::path place;

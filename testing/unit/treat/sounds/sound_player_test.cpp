@@ -1,4 +1,4 @@
-// The player is a shell that keeps what it would have played.
+// The player is a shell script that stores the sound in place of playing it.
 
 #include "facenav/sounds/sound_player.h"
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Tone kAll[] = {Tone::lost, Tone::approaching, Tone::on_target, Tone::pulse};
 
-/// Of the part from `from_s` to `to_s`, by its zero crossings.
+/// Pitch of the part from `from_s` to `to_s`, by its zero crossings.
 double pitch_hz(const std::vector<std::int16_t>& samples, double from_s, double to_s) {
   int crossings = 0;
   const auto begin = std::size_t(from_s * kSamplesPerSecond), end = std::size_t(to_s * kSamplesPerSecond);

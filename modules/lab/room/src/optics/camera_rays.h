@@ -17,7 +17,7 @@ class CameraRays {
   CameraRays(const cameras::CameraModel& camera, int width_px, int height_px,
              const Eigen::Isometry3d& camera_T_world);
 
-  /// The camera on its mount has moved.
+  /// Moves the camera on its mount.
   void moveTo(const Eigen::Isometry3d& camera_T_world);
 
   int width_px() const { return width_px_; }
@@ -28,7 +28,7 @@ class CameraRays {
   Eigen::Vector3d direction(double x_px, double y_px) const;
   /// True if a world point is inside the image.
   bool shows(const Eigen::Vector3d& p_world_mm) const;
-  /// The pixels in which a box (in its own frame, at `world_T_object`) can appear. nullopt if that cannot be
+  /// Pixels in which a box (in its own frame, at `world_T_object`) can appear. nullopt if that cannot be
   /// determined, because the box reaches too far behind or beside the camera.
   std::optional<cv::Rect> boxOf(const Eigen::AlignedBox3d& box,
                                 const Eigen::Isometry3d& world_T_object) const;

@@ -33,7 +33,7 @@ cv::Mat blurred(const cv::Mat& light, double blur_px) {
   return soft;
 }
 
-/// The light that each photosite of an RGGB mosaic receives.
+/// Light that each photosite of an RGGB mosaic receives.
 cv::Mat mosaic(const cv::Mat& green, const cv::Mat& red) {
   cv::Mat seen = green.clone();
   for (int y = 0; y < seen.rows; ++y)
@@ -51,7 +51,7 @@ cv::Mat onSensor(const cv::Mat& radiance, const cv::Mat& red, const FilmOptions&
   return light + (options.red_share - options.blue_share) * colour;
 }
 
-/// Demosaiced, compressed in colour as colour cameras do, then converted to grey.
+/// Demosaics, compresses in colour as colour cameras do, then converts to grey.
 cv::Mat greyOfMosaic(const cv::Mat& seen, const FilmOptions& options) {
   cv::Mat colour, grey;
   cv::cvtColor(seen, colour, cv::COLOR_BayerBG2BGR);  // BayerBG is OpenCV's name for RGGB

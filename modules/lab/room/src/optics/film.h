@@ -23,8 +23,9 @@ struct FilmOptions {
   bool needsColour() const { return is_bayer || red_share != blue_share; }
 };
 
-/// 8-bit, size of `radiance` (float, linear light). `noise_seed`: the same seed gives the same noise. `red`:
-/// the amount by which red is brighter and blue darker (float); empty: everything is grey.
+/// Develops an 8-bit image of the size of `radiance` (float, linear light). `noise_seed`: the same seed gives
+/// the same noise. `red`: the amount by which red is brighter and blue darker (float); empty: everything is
+/// grey.
 cv::Mat develop(const cv::Mat& radiance, const FilmOptions& options, std::uint64_t noise_seed,
                 const cv::Mat& red = {});
 

@@ -48,7 +48,8 @@ class LightMeter {
     float sheen = 0.f;  // of the oil on the skin; not scaled by the reflectance
     bool sees_projector = false;
   };
-  /// `relief_normal`: normal of the surface with its fine relief, unit, world; nullopt: no sheen.
+  /// Computes that light. `relief_normal`: normal of the surface with its fine relief, unit, world; nullopt:
+  /// no sheen.
   Falling falling(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal, const Eigen::Vector3d& to_eye,
                   const std::optional<Eigen::Vector3d>& relief_normal = {}) const;
   /// Light of the dot pattern on a point that is visible from the projector.

@@ -33,7 +33,7 @@ class Look {
   virtual std::optional<Eigen::Vector3d> relief(const SurfacePoint&) const { return {}; }
 };
 
-/// One tone with a fine grain.
+/// Look of one tone with a fine grain.
 std::shared_ptr<const Look> makePlainLook(float albedo, float gloss, float grain = 0.05f);
 
 }  // namespace facenav::room

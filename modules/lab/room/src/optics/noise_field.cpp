@@ -13,7 +13,7 @@ std::size_t cell(int x, int y, int z) {
   return std::size_t(x & kMask) + kSize * (std::size_t(y & kMask) + kSize * std::size_t(z & kMask));
 }
 
-/// (1 2 1) / 4 along one axis, wrapped.
+/// Smooths by (1 2 1) / 4 along one axis, wrapped.
 std::vector<float> smooth(const std::vector<float>& in, int axis) {
   std::vector<float> out(in.size());
   const int dx = axis == 0, dy = axis == 1, dz = axis == 2;

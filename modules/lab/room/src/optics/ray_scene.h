@@ -42,7 +42,7 @@ class RayScene {
   const Eigen::Isometry3d& pose(int object) const;
   void setShown(int object, bool is_shown);
   bool isShown(int object) const;
-  /// New vertex positions and normals of a deforming object; the triangles stay the same.
+  /// Sets vertex positions and normals of a deforming object; the triangles stay the same.
   void setVertices(int object, const std::vector<Eigen::Vector3d>& vertices_mm,
                    const std::vector<Eigen::Vector3d>& normals);
   const surface::TriangleMesh& mesh(int object) const;
@@ -52,7 +52,7 @@ class RayScene {
   void commit();
 
   Sight look(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
-  /// The exact hit of a sight, for the same ray.
+  /// Computes the exact hit of a sight, for the same ray.
   Hit refine(const Sight& sight, const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
   std::optional<Hit> intersect(const Eigen::Vector3d& origin_mm, const Eigen::Vector3d& direction) const;
   /// True if any object lies between the two points (the first 0.5 mm are ignored).

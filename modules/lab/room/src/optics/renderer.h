@@ -27,7 +27,7 @@ class Renderer {
   /// `backdrop`: radiance of pixels without an object (float, H x W, at full light), one image per camera.
   Renderer(const CameraRays& rays, cv::Mat backdrop);
   void setBackdrop(cv::Mat backdrop) { backdrop_ = std::move(backdrop); }
-  /// `rows`: only these; elsewhere there is the wall.
+  /// Renders an image. `rows`: only these; elsewhere there is the wall.
   View render(const RayScene& scene, const std::vector<std::shared_ptr<const Look>>& looks,
               const Lighting& lighting, const cv::Range& rows = cv::Range::all()) const;
 
@@ -36,8 +36,8 @@ class Renderer {
   cv::Mat backdrop_;
 };
 
-/// The wall behind the patient as seen by this camera: soft random structure on a plane at `distance_mm` in
-/// the room.
+/// Renders the wall behind the patient as seen by this camera: soft random structure on a plane at
+/// `distance_mm` in the room.
 cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm);
 
 }  // namespace facenav::room

@@ -21,7 +21,7 @@ struct Expression {
   }
 };
 
-/// How far the chin is lowered when the tongue is out, mm.
+/// Distance by which the chin is lowered when the tongue is out, mm.
 double jawOf_mm(const Expression& expression);
 
 /// Shift (Mri, mm) of a skin point with its outward unit normal, without the lowered jaw. `landmarks_mm`:

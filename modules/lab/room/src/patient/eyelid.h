@@ -14,7 +14,7 @@ namespace facenav::room {
 Eigen::Vector3d lidShift_mm(double closed, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal,
                             const std::vector<Eigen::Vector3d>& landmarks_mm);
 
-/// Lid skin and lashes over the eye, at a point of the skin at rest.
+/// Paint of lid skin and lashes over the eye, at a point of the skin at rest.
 SkinPaint lidPaint(double closed, const Eigen::Vector3d& p_mm,
                    const std::vector<Eigen::Vector3d>& landmarks_mm);
 

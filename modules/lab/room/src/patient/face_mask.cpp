@@ -38,7 +38,7 @@ Sheet skinFromTheFront(const VirtualPatient& patient) {
   return sheet;
 }
 
-/// Pulls the cloth taut: hollows are closed, edges rounded.
+/// Tightens the cloth: hollows are closed, edges rounded.
 void tauten(Sheet& sheet) {
   const int reach = int(kSpan_mm / kGrid_mm);
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * reach + 1, 2 * reach + 1});

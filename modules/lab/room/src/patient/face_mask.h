@@ -7,10 +7,10 @@
 
 namespace facenav::room {
 
-/// Open mesh; empty if the patient has no landmarks.
+/// Open mesh of the mask; empty if the patient has no landmarks.
 surface::TriangleMesh faceMask(const VirtualPatient& patient);
 
-/// Pale cloth with horizontal pleats.
+/// Look of pale cloth with horizontal pleats.
 std::shared_ptr<const Look> makeClothLook();
 
 }  // namespace facenav::room

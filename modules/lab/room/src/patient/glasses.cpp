@@ -18,7 +18,7 @@ Eigen::Vector3d middleOf(const VirtualPatient& patient, int from, int to) {
   return sum / double(to - from + 1);
 }
 
-/// Around an eye, in a plane across the view (x, z).
+/// Point on the rim around an eye, in a plane across the view (x, z).
 Eigen::Vector3d onRim(const Eigen::Vector3d& eye_mm, int segment) {
   const double about = 2.0 * M_PI * segment / kSegments;
   return eye_mm + Eigen::Vector3d(kWide_mm * std::cos(about), 0.0, kHigh_mm * std::sin(about));

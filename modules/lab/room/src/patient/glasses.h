@@ -6,7 +6,7 @@
 
 namespace facenav::room {
 
-/// Closed mesh; empty if the patient has no landmarks.
+/// Closed mesh of the frame; empty if the patient has no landmarks.
 surface::TriangleMesh glassesFrame(const VirtualPatient& patient);
 
 }  // namespace facenav::room

@@ -9,7 +9,7 @@
 
 namespace facenav::room {
 
-/// Keeps references to `patient` and `shape`, which must outlive the look.
+/// Makes the look. Keeps references to `patient` and `shape`, which must outlive it.
 std::shared_ptr<const Look> makeHeadLook(const VirtualPatient& patient, const FaceShape& shape);
 
 }  // namespace facenav::room

@@ -15,10 +15,10 @@ struct HeadLandmarks {
   std::vector<Eigen::Vector3d> points68_mm;  // Mri
 };
 
-/// nullopt if no face is found on the mesh (a scan without a face).
+/// Finds the landmarks. Returns nullopt if the mesh has no face (a scan without a face).
 std::optional<HeadLandmarks> findHeadLandmarks(const surface::TriangleMesh& skin);
 
-/// The 68 points in a grey photograph, px; nullopt if no face is found.
+/// Finds the 68 points in a grey photograph, px; nullopt if no face is found.
 std::optional<std::vector<Eigen::Vector2d>> findPortraitLandmarks(const cv::Mat& grey);
 
 }  // namespace facenav::room

@@ -13,10 +13,10 @@ namespace facenav::room {
 
 class LooseHair {
  public:
-  /// The same patient and seed give the same locks. No locks if the patient has no hair.
+  /// Makes the locks. The same patient and seed give the same locks; none if the patient has no hair.
   LooseHair(const VirtualPatient& patient, std::uint64_t seed);
 
-  /// At rest, Mri.
+  /// Mesh of the locks at rest, Mri.
   const surface::TriangleMesh& mesh() const { return mesh_; }
   /// Vertex positions: roots do not move, tips move up to 1.5 times as far as the scalp's hair.
   std::vector<Eigen::Vector3d> vertices_mm(const HairPose& pose) const;
@@ -32,7 +32,7 @@ class LooseHair {
   std::vector<double> from_root_;  // per vertex: 0 at the root, 1 at the tip
 };
 
-/// Keeps a reference to `rest`, which must outlive the look.
+/// Makes the look. Keeps a reference to `rest`, which must outlive it.
 std::shared_ptr<const Look> makeLockLook(const surface::TriangleMesh& rest);
 
 }  // namespace facenav::room

@@ -40,7 +40,7 @@ Axis axisOf(const json& header, const std::string& name) {
           axis.at("start").get<double>() * direction};
 }
 
-/// Fastest axis first, as in VoxelGrid.
+/// Grid with the fastest axis first, as in VoxelGrid.
 volume::VoxelGrid gridOf(const json& header) {
   const auto order = header.at("order").get<std::vector<std::string>>();
   if (order.size() != 3) throw Error("order does not name three axes");

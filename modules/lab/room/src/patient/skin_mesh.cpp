@@ -36,7 +36,7 @@ volume::Volume withAirAtZero(volume::Volume scan) {
   return scan;
 }
 
-/// The scan with a rim of air, in RAS order.
+/// Returns the scan with a rim of air, in RAS order.
 volume::Volume padded(const volume::Volume& in) {
   const volume::Volume ras = withAirAtZero(volume::toRasOrder(in));
   volume::Volume out;
@@ -140,7 +140,7 @@ Flags inverted(Flags flags) {
   return flags;
 }
 
-/// The head without inner air: closes sinuses, throat and ear canals (openings up to twice `kClosing`
+/// Fills inner air of the head: closes sinuses, throat and ear canals (openings up to twice `kClosing`
 /// voxels).
 Flags solidHead(const volume::VoxelGrid& grid, const Cells& values, float threshold) {
   Flags tissue(values.size());
@@ -212,8 +212,8 @@ void faceOutwards(surface::TriangleMesh& mesh) {
 }
 
 /// Offset (mm, along the normal) of the air/skin edge within reach of the vertex: the outermost position with
-/// a steep fall of intensity. The steepest position is not used: where the dermis is dark, the edge of the
-/// fat 2-4 mm below it is steeper than the skin's edge, and a surface that jumps to it has dents.
+/// a steep fall of intensity. The steepest position is not used: if the dermis is dark, the edge of the fat
+/// 2-4 mm below it is steeper than the skin's edge, and a surface that jumps to it has dents.
 double edgeOffset(const volume::Volume& field, const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
   constexpr double kReach_mm = 2.0, kApart_mm = 0.125;
   constexpr int kSteps = int(2 * kReach_mm / kApart_mm);

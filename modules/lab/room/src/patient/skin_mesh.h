@@ -9,7 +9,7 @@
 
 namespace facenav::room {
 
-/// Throws Error if the volume contains no head-sized object.
+/// Makes the mesh. Throws Error if the volume contains no head-sized object.
 surface::TriangleMesh makeSkinMesh(const volume::Volume& volume, TaskMonitor& monitor);
 
 /// Unit vertex normals: mean of the adjacent triangles, weighted by area.

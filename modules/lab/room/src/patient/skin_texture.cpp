@@ -63,7 +63,7 @@ cv::Mat flattened(const cv::Mat& grey, const cv::Mat& weight) {
   return albedo * (kSkinAlbedo / mean);
 }
 
-/// Those of the 68 points that are reliable on both faces: all but the outer jaw (silhouettes).
+/// Landmarks that are reliable on both faces: all 68 but the outer jaw (silhouettes).
 std::vector<int> anchors() {
   std::vector<int> chosen{4, 5, 6, 7, 8, 9, 10, 11, 12};
   for (int i = 17; i < 68; ++i) chosen.push_back(i);

@@ -16,8 +16,8 @@ std::vector<float> complexion(const std::vector<Eigen::Vector3d>& skin_mm, std::
 
 class SkinTexture {
  public:
-  /// `landmarks68_mm` on the skin, Mri; empty: plain skin everywhere. `has_sides_exchanged`: the portrait is
-  /// mirrored (another person's face).
+  /// Makes the texture. `landmarks68_mm` on the skin, Mri; empty: plain skin everywhere.
+  /// `has_sides_exchanged`: the portrait is mirrored (another person's face).
   SkinTexture(const std::vector<Eigen::Vector3d>& landmarks68_mm, const Eigen::Vector3d& head_centre_mm,
               bool has_sides_exchanged = false);
   /// Albedo of bare skin without its finest grain; `lids`: 0 eyes open .. 1 closed.

@@ -9,7 +9,8 @@
 
 namespace facenav::room {
 
-/// In the same Mri coordinates as `patient`, so that both can be seated alike. `seed` selects the person.
+/// Makes the stranger in the Mri coordinates of `patient`, so that both can be seated alike. `seed` selects
+/// the person.
 std::shared_ptr<const VirtualPatient> strangerLike(const VirtualPatient& patient, std::uint64_t seed);
 
 }  // namespace facenav::room

@@ -16,9 +16,9 @@ struct CoilView {
   RigidTransform<Room, Mri> room_T_mri;
 };
 
-/// Tries plates behind and beside the coil, all facing the cameras. Takes the plate that both cameras see
-/// best during small head movements; among equals, the one nearest to the usual position (85 mm behind the
-/// coil).
+/// Mounts the marker. Tries plates behind and beside the coil, all facing the cameras. Takes the plate that
+/// both cameras see best during small head movements; among equals, the one nearest to the usual position (85
+/// mm behind the coil).
 RoomCoil mountedCoil(const RigidTransform<Mri, frames::Target>& target, const VirtualPatient& patient,
                      const CoilView& view);
 

@@ -15,9 +15,10 @@ inline constexpr double kPlateThickness_mm = 3.0;
 inline constexpr double kPlatePerMarker = 1.4;  // edge of the plate / edge of the black square
 
 surface::TriangleMesh plateMesh(double width_mm, double height_mm);
-/// Throws Error for a dictionary unknown to OpenCV ("4x4_50", "5x5_100", .. "original") or an id outside it.
+/// Look of a marker. Throws Error for a dictionary unknown to OpenCV ("4x4_50", "5x5_100", .. "original") or
+/// an id outside it.
 std::shared_ptr<const Look> makeMarkerLook(const std::string& dictionary, int id, double size_mm);
-/// `columns` x `rows` inner corners, the board's centre at the origin.
+/// Look of a chessboard with `columns` x `rows` inner corners, its centre at the origin.
 std::shared_ptr<const Look> makeChessboardLook(int columns, int rows, double square_mm);
 
 }  // namespace facenav::room

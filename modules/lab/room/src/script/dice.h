@@ -12,7 +12,7 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
   double between(double low, double high) { return low + (high - low) * double(random_() >> 11) * 0x1p-53; }
-  /// Unit, uniform over the sphere.
+  /// Draws a unit vector, uniform over the sphere.
   Eigen::Vector3d direction() {
     const double z = between(-1.0, 1.0), about = between(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
     return {r * std::cos(about), r * std::sin(about), z};

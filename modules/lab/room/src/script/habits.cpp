@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortestBlink_s = 0.1, kLongestBlink_s = 0.3, kSoonest_s = 2.0, kLatest_s = 6.0;
 constexpr double kLag_mm_per_rad = 20.0;  // of the hair behind the head's turn; estimated, not measured
 
-/// The lids need 0.3 of the blink to close and 0.5 to open.
+/// Closure during a blink: the lids need 0.3 of it to close and 0.5 to open.
 double closing(double share) { return std::min(ease(share / 0.3), ease((1.0 - share) / 0.5)); }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Habits: what a living patient does in any scenario: blinks and hair movement.
+// Habits: movements of a living patient in any scenario: blinks and hair movement.
 
 #include "script.h"
 

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kGrimaceFrames = 78, kReturnsFrames = 154, kMomentsFrames = 83, kCoarseJpeg = 50;
 constexpr double kShiningSkin = 0.6;
-// Of "moments": chosen on the pictures of ../shared/data/real_faces.
+// For "moments": chosen on the pictures of ../shared/data/real_faces.
 constexpr int kRealJpeg = 35;
 constexpr double kRealGloss = 0.8;
-// Of "plain_align": two seconds at webcams' pace; skin between a rendered face's and that of "moments".
+// For "plain_align": two seconds at a webcam's rate; skin between a rendered face's and that of "moments".
 constexpr int kTurnFrames = 40, kWebcamJpeg = 75;
-// Of webcams: typical of USB cameras of 30 frames a second, chosen before anything was measured with them.
+// For webcams: typical of USB cameras of 30 frames a second, chosen before anything was measured with them.
 constexpr int kWebcamFrames = 120;
 constexpr double kFocalPerWidth = 0.83;  // 62 deg across
 constexpr double kWebcamFrames_per_s = 30.0, kRolling_ms = 20.0, kExposure_ms = 10.0, kRightGain = 0.85,
@@ -46,7 +46,7 @@ void moveClose(ScenarioOptions& options) {
   own(options.rig.convergence_deg, usual.rig.convergence_deg, close.convergence_deg);
 }
 
-/// Skin of little contrast, filmed at a webcam's pace.
+/// Sets skin of little contrast, filmed at a webcam's rate.
 void makeFaint(ScenarioOptions& options) {
   const ScenarioOptions usual;
   const OwnWhereUsual own;
@@ -60,7 +60,7 @@ bool isOfWebcams(const std::string& scenario) {
   return std::find(std::begin(kNames), std::end(kNames), scenario) != std::end(kNames);
 }
 
-/// Two USB cameras without a trigger, as people have them.
+/// Sets two USB cameras without a trigger.
 void makeWebcams(ScenarioOptions& options) {
   const ScenarioOptions usual;
   const OwnWhereUsual own;
@@ -78,7 +78,7 @@ void makeWebcams(ScenarioOptions& options) {
   own(options.doubled, usual.doubled, kDoubled);
 }
 
-/// Cameras with more pixels at the room's place and baseline.
+/// Sets cameras with more pixels at the room's position and baseline.
 void makeSize(ScenarioOptions& options, int width_px, int height_px) {
   const ScenarioOptions usual;
   const OwnWhereUsual own;
@@ -87,7 +87,7 @@ void makeSize(ScenarioOptions& options, int width_px, int height_px) {
   own(options.rig.focal_px, usual.rig.focal_px, kFocalPerWidth * width_px);
 }
 
-/// Low skin contrast, glare, moving hair, slightly different colour sensors.
+/// Sets low skin contrast, glare, moving hair, slightly different colour sensors.
 void makeReal(ScenarioOptions& options) {
   const ScenarioOptions usual;
   const OwnWhereUsual own;

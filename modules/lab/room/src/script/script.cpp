@@ -75,8 +75,8 @@ MomentOf momentsOf(const Setting& setting) {
   return scripts.at(setting.options.name)(setting);
 }
 
-/// Turn (rad) and shift (mm) of a patient who does not sit straight: directions uniform, sizes uniform up to
-/// the options' limits. Zero if these are 0.
+/// Rotation (rad) and shift (mm) of a patient who does not sit straight: directions uniform, sizes uniform up
+/// to the options' limits. Zero if these are 0.
 Vector6d seatError(const ScenarioOptions& options) {
   std::mt19937_64 random(options.seed * 7919 + 17);
   const auto uniform = [&random] { return double(random() >> 11) * 0x1p-53; };

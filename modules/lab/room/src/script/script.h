@@ -15,7 +15,7 @@ struct Moment {
   Cast cast;
   CameraFault fault = CameraFault::none;
   std::string label;          // in words: "hold", "approach", "face away" ..
-  double later_s = 0.0;       // sum of the pauses without frames so far
+  double later_s = 0.0;       // number of returns of the patient so far
   int visit = 0;              // how often the patient has come back
   double right_behind = 0.0;  // age of the right camera's picture, in frames
 };
@@ -24,16 +24,16 @@ class Script {
  public:
   virtual ~Script() = default;
   virtual int frameCount() const = 0;
-  /// `frame` may be fractional, for a late camera.
+  /// Returns the moment; `frame` may be fractional, for a late camera.
   virtual Moment at(double frame) const = 0;
-  /// The head during the capture pair (no coil).
+  /// Returns the head during the capture pair (no coil).
   virtual Cast capture() const = 0;
 };
 
-/// The kind with this name. Throws Error for a name that is not in scenarios().
+/// Finds the kind with this name. Throws Error for a name that is not in scenarios().
 const ScenarioKind& kindOf(const std::string& name);
 
-/// Throws Error for a name that is not in scenarios().
+/// Makes the script. Throws Error for a name that is not in scenarios().
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
                                    const RigidTransform<Mri, frames::Target>& target,
                                    const RigidTransform<Marker, Coil>& marker_T_coil);

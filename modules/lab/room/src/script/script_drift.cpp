@@ -8,8 +8,8 @@
 namespace facenav::room {
 namespace {
 
-/// The right camera's whole motion over the recording: turn (deg) and shift (mm) in its own frame. The seed
-/// draws the sign of a turn and the direction of a shift.
+/// Whole motion of the right camera over the recording: rotation (deg) and shift (mm) in its own frame. The
+/// seed draws the sign of a rotation and the direction of a shift.
 Vector6d wholeDrift(const ScenarioOptions& options) {
   std::mt19937_64 random(options.seed * 4409 + 11);
   const double sign = random() % 2 ? 1.0 : -1.0;

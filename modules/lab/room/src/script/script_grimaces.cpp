@@ -23,7 +23,7 @@ constexpr double kLargestTurn_deg = 15.0;
 constexpr int kInStep = 24;
 constexpr double kRadius_mm = 6.0, kRounds_hz = 1.0;  // the head moves on a circle
 
-/// The return that a frame belongs to (0: at rest before the first), and whether the patient is still away.
+/// Return that a frame belongs to (0: at rest before the first), and whether the patient is still away.
 struct Visit {
   int number = 0;
   bool is_away = false;
@@ -61,7 +61,7 @@ constexpr std::array<Grimace, 5> kGrimaces{{{"smile", &Expression::smile},
                                             {"cheeks puffed", &Expression::cheeks},
                                             {"brows raised", &Expression::brows}}};
 
-/// Five grimaces, in an order set by the seed; each includes the brows.
+/// Grimace of a visit: one of five, in an order set by the seed; each includes the brows.
 const Grimace& grimaceOf(const Setting& setting, int visit) {
   const int first = int(setting.options.seed % kGrimaces.size()), step = setting.options.seed % 2 ? 1 : 2;
   return kGrimaces[std::size_t(first + step * visit) % kGrimaces.size()];
@@ -86,7 +86,7 @@ Vector6 turnedPlaceOf(const Setting& setting, int visit) {
   return by;
 }
 
-/// Lamps up to 35 % brighter or darker and moved by up to 600 mm, as after opening a door or a blind.
+/// Changes lamps by up to 35 % and moves them by up to 600 mm, as after opening a door or a blind.
 void otherLight(const Setting& setting, int visit, Cast& cast) {
   if (visit == 0) return;
   Dice dice = diceOf(setting, visit + 3000);

@@ -53,7 +53,7 @@ Face faceOf(const Setting& setting, int moment) {
   return face;
 }
 
-/// 0.5-5 deg and 3-16 mm from the seat.
+/// Pose of a moment: 0.5-5 deg and 3-16 mm from the seat.
 Vector6 placeOfMoment(const Setting& setting, int moment) {
   Vector6 by = Vector6::Zero();
   if (moment == 0) return by;

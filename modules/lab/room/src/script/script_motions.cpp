@@ -110,7 +110,7 @@ MomentOf freeMotionScript(const Setting& setting) {
 }
 
 MomentOf turningScript(const Setting& setting) {
-  // From the seat to one side, back, and to the other side, the chin a little down and up meanwhile.
+  // Turns from the seat to one side, back, and to the other side, the chin a little down and up meanwhile.
   constexpr double kYaw_deg = 15.0, kPitch_deg = 4.0, kSlide_mm = 8.0;
   return [setting](double frame) {
     const double part = 2.0 * M_PI * setting.part(frame);

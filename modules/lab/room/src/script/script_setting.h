@@ -20,7 +20,7 @@ struct Setting {
   int frames = 1;
 
   double time_s(double frame) const { return frame / options.frames_per_s; }
-  /// 0 at the first frame, 1 at the last.
+  /// Position of a frame in the recording: 0 at the first, 1 at the last.
   double part(double frame) const { return frames > 1 ? frame / (frames - 1) : 0.0; }
   /// The head turned by a rotation vector (deg, Room axes) about its pivot and shifted (mm).
   RigidTransform<Room, Mri> moved(const Eigen::Matrix<double, 6, 1>& by) const;
@@ -41,7 +41,7 @@ class Parts {
     const char* label;
     double inside;  // 0 at the part's start, 1 at its end
   };
-  /// In order; the last part must end beyond 1.
+  /// Takes the parts in order; the last one must end beyond 1.
   explicit Parts(std::vector<Part> parts) : parts_(std::move(parts)) {}
   Place at(double share) const;
 
@@ -60,7 +60,7 @@ MomentOf protractorScript(const Setting& setting);
 MomentOf freeMotionScript(const Setting& setting);
 MomentOf treatmentScript(Setting setting);
 MomentOf turningScript(const Setting& setting);
-// script_sensors.cpp: what ordinary cameras must show.
+// script_sensors.cpp: faults of ordinary cameras.
 MomentOf fastCoilScript(const Setting& setting);
 MomentOf glassesScript(const Setting& setting);
 /// script_drift.cpp: the right camera moves on its mount.
@@ -80,7 +80,7 @@ MomentOf otherFaceScript(const Setting& setting);
 MomentOf grimaceScript(const Setting& setting);
 MomentOf returnsScript(const Setting& setting);
 MomentOf outOfStepScript(const Setting& setting);
-/// Of the options' capture_grimace; its kind by the seed.
+/// Expression of the options' capture_grimace; the seed selects its kind.
 Expression captureExpression(const ScenarioOptions& options);
 
 // script_moments.cpp: a real person in front of real cameras.

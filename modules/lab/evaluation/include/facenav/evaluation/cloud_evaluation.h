@@ -16,13 +16,14 @@ struct ExactDepth {
   cv::Mat left_mm, right_mm, is_head_left;
 };
 
-/// 8-bit, left image: 255 for skin within `reach_mm` of the face's middle (Camera) that both cameras see at
-/// less than 70 degrees from its normal and that is not at a silhouette (a neighbour 2 px away is more than 8
-/// mm nearer or farther).
+/// Pixels of visible face (8-bit, left image): 255 for skin within `reach_mm` of the face's middle (Camera)
+/// that both cameras see at less than 70 degrees from its normal and that is not at a silhouette (a neighbour
+/// 2 px away is more than 8 mm nearer or farther).
 cv::Mat visibleFace(const cameras::StereoRig& rig, const ExactDepth& depth, const Point<Camera>& face_middle,
                     double reach_mm = 75.0);
 
-/// `face`: the measured cloud, each point at its pixel of the left image.
+/// Compares a cloud with the exact depth. `face`: the measured cloud, each point at its pixel of the left
+/// image.
 CloudFigures evaluateCloud(const cameras::StereoRig& rig, const stereo::FaceCloud& face,
                            const ExactDepth& depth, const cv::Mat& visible);
 

@@ -15,8 +15,8 @@ struct CrossSectionOptions {
   int scale = 3;              // image pixels per mm
 };
 
-/// 8-bit BGR picture of `plane` with the points of `cloud_mri` near it; `caption` at the top, R and L at the
-/// sides of axial and coronal planes.
+/// Draws an 8-bit BGR picture of `plane` with the points of `cloud_mri` near it; `caption` at the top, R and
+/// L at the sides of axial and coronal planes.
 cv::Mat drawCrossSection(const volume::Volume& mri, volume::Anatomical orientation, const Point<Mri>& through,
                          const PointCloud<Mri>& cloud_mri, const CrossSectionOptions& options);
 

@@ -1,8 +1,8 @@
 #pragma once
-// Tests the uncertainty ("doubt") that a brain segmentation states for points of its surface. A reliability
-// table (as for forecasts: Murphy and Winkler 1977) sorts the points into bins of stated doubt and gives
-// their real distance to the true surface. For a calibrated method the error grows from bin to bin and stays
-// below the doubt for about the stated share of points.
+// Tests the uncertainty ("doubt") that a brain segmentation gives for points of its surface. A reliability
+// table (as for forecasts: Murphy and Winkler 1977) sorts the points into bins of doubt and gives their real
+// distance to the true surface. For a calibrated method the error grows from bin to bin and stays below the
+// doubt for about the expected share of points.
 
 #include <string>
 #include <vector>
@@ -12,14 +12,14 @@
 namespace facenav::evaluation {
 
 struct DoubtedPlace {
-  double doubt_mm = 0, error_mm = 0;  // stated; distance to the true surface
+  double doubt_mm = 0, error_mm = 0;  // given by the method; distance to the true surface
 };
 
 /// Distance to a mask's surface (the centres of its surface voxels), computed once for the whole grid.
 class SurfaceError {
  public:
   explicit SurfaceError(const volume::Mask& reference);
-  /// Accurate to the nearest voxel; a point beyond the grid counts as its nearest voxel.
+  /// Distance at a point, accurate to the nearest voxel; a point beyond the grid counts as its nearest voxel.
   double at_mm(const Point<Mri>& place) const;
 
  private:
@@ -38,23 +38,23 @@ struct ReliabilityBin {
 
 constexpr double kCertain_mm = 2;  // limit for "certain" in a region's confidence
 
-/// Bins 0-1, 1-2, 2-3, 3-5, 5-8 and beyond 8 mm (a doubt of 0 is in the first).
+/// Sorts points into bins 0-1, 1-2, 2-3, 3-5, 5-8 and beyond 8 mm (a doubt of 0 is in the first).
 std::vector<ReliabilityBin> reliabilityOf(const std::vector<DoubtedPlace>& places);
 
 struct ReliabilityRow {
   std::string volume, method, against;  // "true surface", "unperturbed mask"
   std::vector<ReliabilityBin> bins;
   double stated_certain = 0, really_certain = 0;  // shares of points with doubt / error <= kCertain_mm
-  std::string contrast = {};                      // that the method saw, in words
+  std::string contrast = {};                      // that the method found, in words
 };
 ReliabilityRow reliabilityRow(std::string volume, std::string method, std::string against,
                               const std::vector<DoubtedPlace>& places);
 std::string reliabilityMarkdown(const std::vector<ReliabilityRow>& rows);
 
-/// All points against the true surface together: one row per method and contrast seen, and one per method
-/// where it saw several. `volume` tells how many scans. The 90 % errors cannot be put together: 0.
+/// Pools all points against the true surface: one row per method and contrast, and one per method if it found
+/// several. `volume` gives the number of scans. 90 % errors cannot be pooled: 0.
 std::vector<ReliabilityRow> pooledReliability(const std::vector<ReliabilityRow>& rows);
-/// One line per row and bin: how many points are stated there, and how many errors lie there.
+/// One line per row and bin: number of points with such a doubt, and number with such an error.
 std::string doubtBandsMarkdown(const std::vector<ReliabilityRow>& rows);
 
 }  // namespace facenav::evaluation

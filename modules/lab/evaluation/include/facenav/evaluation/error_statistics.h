@@ -1,5 +1,5 @@
 #pragma once
-// ErrorStatistics: summary of a list of errors, as stated in the tables. Unit: that of the input.
+// ErrorStatistics: summary of a list of errors, as given in the tables. Unit: that of the input.
 
 #include <vector>
 
@@ -10,11 +10,11 @@ struct ErrorStatistics {
   double rms = 0, mean = 0, median = 0, p95 = 0, max = 0;
 };
 
-/// Count 0 and all values 0 for an empty list. p95: the smallest value such that 95 % of all are at or below
-/// it.
+/// Summarises errors; count 0 and all values 0 for an empty list. p95: the smallest value such that 95 % of
+/// all are at or below it.
 ErrorStatistics summarise(std::vector<double> errors);
 
-/// The smallest value such that `fraction` (0..1) of all are at or below it; 0 for an empty list.
+/// Smallest value such that `fraction` (0..1) of all are at or below it; 0 for an empty list.
 double quantile(std::vector<double> values, double fraction);
 
 }  // namespace facenav::evaluation

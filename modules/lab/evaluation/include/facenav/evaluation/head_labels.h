@@ -1,6 +1,6 @@
 #pragma once
 // Labelled heads (label maps with FreeSurfer's numbers inside the brain and classes of tissue outside) and
-// the published statistics of their T1 intensities: what synthetic heads with an exact truth are made from.
+// the published statistics of their T1 intensities: the source of synthetic heads with an exact truth.
 // Source: Billot et al. 2023, SynthSeg: Segmentation of brain MRI scans of any contrast and resolution,
 // Medical Image Analysis 86 (label maps and intensities of its public repository, Apache-2.0).
 
@@ -26,15 +26,15 @@ struct LabelStatistics {
   double mean_of_deviations = 0, deviation_of_deviations = 0;  // within one scan
 };
 
-/// By label, from the columns label, name (may hold commas), class, mean of means, sd of means, mean of sds,
-/// sd of sds. Throws Error where the file is missing or a line is not of that kind.
+/// Reads the statistics by label, from the columns label, name (may contain commas), class, mean of means, sd
+/// of means, mean of sds, sd of sds. Throws Error if the file is missing or a line has another form.
 std::map<int, LabelStatistics> readLabelStatistics(const std::filesystem::path& csv);
-/// Throws Error: missing, not NIfTI, values that are no labels.
+/// Reads a labelled head. Throws Error: missing, not NIfTI, values that are no labels.
 LabelledHead readLabelledHead(const std::filesystem::path& nifti);
-/// Paths of all *.nii.gz of a folder, sorted. Throws Error where there are none.
+/// Paths of all *.nii.gz of a folder, sorted. Throws Error if there are none.
 std::vector<std::filesystem::path> labelledHeads(const std::filesystem::path& folder);
 
-/// Tissue of the brain: no outer fluid, vessels, chiasm, and nothing outside the skull.
+/// Returns true for tissue of the brain: no outer fluid, vessels, chiasm, and nothing outside the skull.
 bool isBrainTissue(int label);
 
 }  // namespace facenav::evaluation

@@ -24,7 +24,7 @@ struct ReportSection {
   std::vector<ReportFigure> figures;
 };
 
-/// All text is escaped; no script, no external resource.
+/// Makes the page. All text is escaped; no script, no external resource.
 std::string htmlReport(const std::string& title, const std::string& subtitle,
                        const std::vector<ReportSection>& sections);
 

@@ -21,11 +21,11 @@ struct MaskAgreement {
   double found_ml = 0, true_ml = 0;
 };
 
-/// If the grids differ, `found` is resampled to the truth's grid (a voxel is set if its trilinear value is at
-/// least 0.5). Throws Error if either mask is empty.
+/// Compares two masks. If the grids differ, `found` is resampled to the truth's grid (a voxel is set if its
+/// trilinear value is at least 0.5). Throws Error if either mask is empty.
 MaskAgreement compareMasks(const volume::Mask& found, const volume::Mask& truth);
 
-/// A true mask from tissue labels with open sulci: closed by `closing_voxels`, holes filled.
+/// Makes a true mask from tissue labels with open sulci: closed by `closing_voxels`, holes filled.
 volume::Mask closedAndFilled(const volume::Mask& tissue, double closing_voxels = 2);
 
 }  // namespace facenav::evaluation

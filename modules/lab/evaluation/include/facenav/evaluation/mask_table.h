@@ -17,7 +17,7 @@ struct MaskRow {
   double brain_ml = 0;
   double wall_s = 0, processor_s = 0, peak_mib = 0;
   std::string failure;        // one line, if no mask was found
-  std::string contrast = {};  // that the method saw, in words
+  std::string contrast = {};  // that the method found, in words
 };
 
 struct PerturbationRow {
@@ -30,8 +30,8 @@ struct PerturbationRow {
 
 std::string maskMarkdown(const std::vector<MaskRow>& rows);
 std::string maskCsv(const std::vector<MaskRow>& rows);
-/// One row per method, over all volumes: how many, refused, Dice median (a refusal counts as 0) and the least
-/// Dice of those found.
+/// One row per method, over all volumes: number of volumes and refusals, median Dice (a refusal counts as 0)
+/// and the least Dice of those found.
 std::string maskSummaryMarkdown(const std::vector<MaskRow>& rows);
 std::string perturbationMarkdown(const std::vector<PerturbationRow>& rows);
 std::string perturbationCsv(const std::vector<PerturbationRow>& rows);

@@ -9,10 +9,11 @@
 
 namespace facenav::evaluation {
 
-/// Name (with unit) and value; always the same names in the same order. NaN if not measured.
+/// Values by name (with unit), always the same names in the same order. NaN if not measured.
 std::vector<std::pair<std::string, double>> figuresOf(const RunRecord& run);
 
-/// Header and one line per run: scenario, head, rig, seed, failure, then the values (empty if not measured).
+/// Formats a header and one line per run: scenario, head, rig, seed, failure, then the values (empty if not
+/// measured).
 std::string runsCsv(const std::vector<RunRecord>& runs);
 
 }  // namespace facenav::evaluation

@@ -18,7 +18,7 @@ struct Curve {
   bool is_reference = false;  // dashed and grey (the paper's values, a goal)
 };
 
-/// 720 x 400 units. Curves may be empty; non-finite points break the line.
+/// Draws the plot in 720 x 400 units. Curves may be empty; non-finite points break the line.
 std::string svgPlot(const PlotText& text, const std::vector<Curve>& curves);
 
 }  // namespace facenav::evaluation

@@ -12,7 +12,7 @@
 
 namespace facenav::evaluation {
 
-/// One frame's estimate; absent when lost.
+/// Estimate of one frame; absent when lost.
 struct PoseEstimate {
   std::int64_t frame = 0;
   bool is_tracked = false;
@@ -34,7 +34,8 @@ struct TrackingEvaluation {
   std::vector<FrameError> errors;  // of the tracked frames that have a truth
 };
 
-/// `point_mm`: in the From frame of the poses (Mri for the head, Marker or Coil for the coil).
+/// Compares estimates with the truth. `point_mm`: in the From frame of the poses (Mri for the head, Marker or
+/// Coil for the coil).
 TrackingEvaluation evaluateTracking(const std::vector<PoseEstimate>& estimates,
                                     const std::map<std::int64_t, Eigen::Isometry3d>& truth,
                                     const Eigen::Vector3d& point_mm);

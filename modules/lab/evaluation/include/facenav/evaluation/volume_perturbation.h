@@ -1,7 +1,7 @@
 #pragma once
-// VolumePerturbation: the same head as another scan might show it, to test the stability of a mask. Geometry
-// changes the grid alone where that is exact (a head turned in the scanner, another size); resampling
-// averages trilinear samples. Noise is Rician, as in magnitude MR.
+// VolumePerturbation: another scan of the same head, to test the stability of a mask. Geometry changes only
+// the grid where that is exact (a head turned in the scanner, another size); resampling averages trilinear
+// samples. Noise is Rician, as in magnitude MR.
 
 #include <string>
 #include <vector>
@@ -30,14 +30,15 @@ std::vector<VolumePerturbation> standardPerturbations();
 /// Unusual heads: neck, child, large, low and high contrast, strong bias, noisy scalp.
 std::vector<VolumePerturbation> hardHeads();
 
-/// `brain`: mask on the volume's grid; scalp noise is not added near it. Deterministic for a seed.
+/// Perturbs a volume. `brain`: mask on the volume's grid; scalp noise is not added near it. Deterministic for
+/// a seed.
 volume::Volume perturbed(const volume::Volume& volume, const volume::Mask& brain,
                          const VolumePerturbation& perturbation, unsigned seed);
 /// Maps a mask found in the perturbed volume back to the original grid.
 volume::Mask unperturbed(const volume::Mask& mask, const volume::VoxelGrid& original,
                          const VolumePerturbation& perturbation);
 
-/// The same for a point.
+/// Maps a point of the perturbed volume back to the original.
 Point<Mri> unperturbed(const Point<Mri>& place, const volume::VoxelGrid& original,
                        const VolumePerturbation& perturbation);
 

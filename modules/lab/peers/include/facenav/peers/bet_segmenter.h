@@ -1,6 +1,6 @@
 #pragma once
-// BetSegmenter: a peer that the brain segmentation is compared with. The plain deformable surface after Smith
-// (Human Brain Mapping 17, 2002), adapted to heads with a long neck.
+// BetSegmenter: a peer method to compare the brain segmentation with. The plain deformable surface after
+// Smith (Human Brain Mapping 17, 2002), adapted to heads with a long neck.
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 #pragma once
-// GroundTruth: the truth of one frame of the virtual room: exact poses, how much of the face is hidden, and
+// GroundTruth: the truth of one frame of the virtual room: exact poses, visible share of the face, and
 // whether a tracker can be expected to give a pose.
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct GroundTruth {
   bool must_be_lost = false;     // the images of this frame do not allow a head pose
   bool is_out_of_step = false;   // the right picture is older than the left; the poses are the left's
   double jaw_mm = 0.0;           // how far the chin is lowered (talking)
-  /// Turn (rad) and shift (mm) of the right camera on its mount since the calibration, in its own frame.
+  /// Rotation (rad) and shift (mm) of the right camera on its mount since the calibration, in its own frame.
   Vector6d right_moved = Vector6d::Zero();
 };
 

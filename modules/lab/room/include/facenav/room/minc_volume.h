@@ -10,7 +10,8 @@
 
 namespace facenav::room {
 
-/// Throws Error naming the file and the key if the header lacks a key or the voxels do not fill the grid.
+/// Reads the volume. Throws Error naming the file and the key if the header lacks a key or the voxels do not
+/// fill the grid.
 volume::Volume readMincVolume(const std::filesystem::path& header_json_gz,
                               const std::filesystem::path& raw_gz);
 

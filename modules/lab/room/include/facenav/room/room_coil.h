@@ -1,6 +1,6 @@
 #pragma once
-// RoomCoil: the figure-8 coil of the virtual room with its printed marker. Frames: Coil and Marker of
-// resources/doc/formats.md.
+// RoomCoil: the figure-8 coil of the virtual room with its printed marker. Frames: Coil and Marker
+// (modules/README.md).
 
 #include <string>
 
@@ -17,9 +17,9 @@ struct RoomCoil {
   RigidTransform<Marker, Coil> marker_T_coil;
 };
 
-/// Two wings, housing and handle, Coil frame, mm.
+/// Mesh of two wings, housing and handle, Coil frame, mm.
 surface::TriangleMesh coilBodyMesh();
-/// The body and the stem that holds the marker's plate, without the plate.
+/// Mesh of the body and of the stem that carries the marker's plate, without the plate.
 surface::TriangleMesh coilMesh(const RoomCoil& coil);
 
 }  // namespace facenav::room

@@ -41,9 +41,9 @@ struct RigOptions {
 RigOptions closeRig();
 constexpr double kCloseHead_mm = 560.0;
 
-/// A random rig, as another clinic might build it: f 600-1000 px, baseline 60-200 mm, rolled up to 20
-/// degrees, toed in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses.
-/// The same seed gives the same rig.
+/// Random rig, as another clinic might build it: f 600-1000 px, baseline 60-200 mm, rolled up to 20 degrees,
+/// toed in between half and all of the way to a head at 600 mm, barrel or slight pincushion lenses. The same
+/// seed gives the same rig.
 RigOptions randomRig(std::uint64_t seed);
 
 /// Two cameras with slightly different focal length, principal point, distortion and roll, like real ones.

@@ -28,12 +28,13 @@ struct ScenarioOptions {
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // limits of the seat's random error
   double right_late_ms = 0.0;  // delay of the right camera's exposure; the truth is that of the left
   double rolling_ms = 0.0, exposure_ms = 0.0;  // rolling shutter: readout of a picture; exposure of a row
-  double stated_row_time = 1.0;         // of the rig's file, as a multiple of the true one; 0: not stated
+  double stated_row_time = 1.0;         // row time in the rig's file, as a multiple of the true one; 0: not
+                                        // given
   double exposure_step = 0.0;           // of automatic exposure: share of the light
   double refocus_px = 0.0;              // blur while both cameras focus anew
-  double clock_ppm = 0.0;               // by how much the right camera's clock runs late
+  double clock_ppm = 0.0;               // clock error of the right camera (> 0: it runs late)
   double dropped = 0.0, doubled = 0.0;  // share of the pairs
-  int right_time_stamps = 0;            // 1: the drivers state the right camera's delay
+  int right_time_stamps = 0;            // 1: the drivers give the right camera's delay
   int jpeg_quality = -1;                // 1..100; 0: not compressed; -1: the scenario's value
   double gloss = -1.0;                  // of the skin; -1: the scenario's value
   double haze_grey = 0.0;
@@ -161,13 +162,13 @@ struct ScenarioKind {
   bool is_real = false;  // mimics a real face in front of two near colour cameras
 };
 
-/// The scenario that shows one seated patient in every way that an alignment can start from.
+/// Scenario of one seated patient with every kind of input that an alignment can start from.
 constexpr const char* kPlainAlign = "plain_align";
 
-/// All scenarios.
+/// Lists all scenarios.
 const std::vector<ScenarioKind>& scenarios();
-/// The options after the scenario's own values replaced the defaults. Throws Error for an unknown scenario or
-/// rig; the message lists the known ones.
+/// Returns the options after the scenario's own values replaced the defaults. Throws Error for an unknown
+/// scenario or rig; the message lists the known ones.
 ScenarioOptions resolved(ScenarioOptions options);
 
 }  // namespace facenav::room

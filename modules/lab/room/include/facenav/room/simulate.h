@@ -11,9 +11,9 @@
 
 namespace facenav::room {
 
-/// `target`: where the scenario `treatment` brings the coil; by default over the left hand area. The
-/// recording is written completely or not at all. Throws Error for an unknown scenario (the message lists the
-/// known ones), or a folder that cannot be written.
+/// Renders the recording, completely or not at all. `target`: where the scenario `treatment` brings the coil;
+/// by default over the left hand area. Throws Error for an unknown scenario (the message lists the known
+/// ones), or a folder that cannot be written.
 void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatient> patient,
               const std::optional<RigidTransform<Mri, frames::Target>>& target,
               const std::filesystem::path& recording, TaskMonitor& monitor);

@@ -25,15 +25,15 @@ class SyntheticSource : public capture::FrameSource {
   std::shared_ptr<const cameras::StereoFrame> next() override;
   std::optional<std::int64_t> frameCount() const override;
 
-  /// One picture pair of the capture: with these dots, or without.
+  /// Renders one picture pair of the capture, with these dots or without.
   cameras::StereoFrame captureWith(std::optional<stereo::DotPattern> dots);
-  /// The same moment with the coil held on its target, without dots. `again`: how many such pictures were
+  /// Renders the same moment with the coil held on its target, without dots. `again`: number of such pictures
   /// taken before; each has its own noise.
   cameras::StereoFrame captureWithCoil(int again = 0);
-  /// The same while the projector shows a picture (8-bit, 1 channel, of projector()'s size).
+  /// Renders the same moment while the projector shows a picture (8-bit, 1 channel, of projector()'s size).
   cameras::StereoFrame captureShowing(const cv::Mat& picture);
   cameras::ProjectorModel projector() const;
-  /// The still pair for the initial alignment (dense dots), and the head's pose in it.
+  /// Renders the still pair for the initial alignment (dense dots), with the head's pose in it.
   capture::CapturePair capturePair();
   RigidTransform<Camera, Mri> captureTruth() const;
   /// Truth of the last frame that next() returned.

@@ -56,16 +56,16 @@ struct VirtualPatient {
 
 /// Builds the patient from a T1. Throws Error if it contains no head or the portrait is not installed.
 VirtualPatient makePatient(const volume::Volume& mri, const PatientOptions& options, TaskMonitor& monitor);
-/// The same from a skin mesh (a case's scalp surface).
+/// Builds the patient from a skin mesh (a case's scalp surface). Throws as above.
 VirtualPatient makePatient(const surface::TriangleMesh& skin, const PatientOptions& options,
                            TaskMonitor& monitor);
 
-/// The same head with the contrast of its blotches, freckles and pores scaled; also for persons derived from
-/// it.
+/// Returns the head with the contrast of its blotches, freckles and pores scaled; also for persons derived
+/// from it.
 VirtualPatient withSkinContrast(const VirtualPatient& patient, double contrast);
 
-/// A coil pose over the hand area of the left motor cortex, estimated from the head's outline alone: tangent
-/// to the skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a
+/// Coil pose over the hand area of the left motor cortex, estimated from the head's outline alone: tangent to
+/// the skin, raised by `gap_mm` (hair), handle 45 degrees to posterior-lateral. For scenarios without a
 /// planned target.
 RigidTransform<Mri, frames::Target> leftHandArea(const VirtualPatient& patient, double gap_mm = 5.0);
 
