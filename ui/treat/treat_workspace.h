@@ -51,6 +51,9 @@ class TreatWorkspace : public QWidget {
  private:
   QWidget* makeSide();
   QWidget* makeSteps();
+  void makeStepButtons(QWidget* bar);
+  void makeChoices(QWidget* bar);
+  void connectSteps();
   void showCase();
   bool hasMoved() const;  // the cameras of a kept rig: nothing is aligned or guided with them
   void showSteps();
