@@ -11,7 +11,9 @@
 namespace facenav::ui {
 namespace {
 
-/// Stores the start check; the cameras continue if it cannot be stored.
+using MakeMethods = std::function<steps::Registrations()>;
+
+/// The cameras go on where it cannot be kept.
 void keepStart(const std::string& rig, const steps::RigStart& found) {
   try {
     steps::keepRigStart(capture::RigStore(), rig, found);
@@ -20,10 +22,7 @@ void keepStart(const std::string& rig, const steps::RigStart& found) {
   }
 }
 
-}  // namespace
-
-Services servicesWith(std::function<steps::Registrations()> makeMethods) {
-  Services services;
+void addScans(Services& services) {
   services.listSeries = [](const auto& folder, TaskMonitor& monitor) {
     return dicom::listSeries(folder, monitor);
   };
@@ -41,6 +40,9 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
     return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
   };
   services.readTemplate = [] { return atlas::readColin27(); };
+}
+
+void addPreparing(Services& services, const MakeMethods& makeMethods) {
   services.prepareCase = [makeMethods](const PrepareOrder& order, TaskMonitor& monitor) {
     const auto methods = makeMethods();
     steps::PrepareRequest request;
@@ -53,6 +55,9 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
     request.replace = std::filesystem::exists(order.case_folder / "case.json");
     steps::prepareCase(methods, request, monitor);
   };
+}
+
+void addTreating(Services& services, const MakeMethods& makeMethods) {
   services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
                                  const coil_tracking::CoilModel* coil, TaskMonitor& monitor) {
     const auto methods = makeMethods();
@@ -68,6 +73,9 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
                                                 all.head_trackers.create(all.head_trackers.defaultName()),
                                                 all.coil_trackers.create(all.coil_trackers.defaultName()));
   };
+}
+
+void addCameras(Services& services, const MakeMethods& makeMethods) {
   services.listCameras = [makeMethods](capture::Search search) {
     return capture::listCameras(makeMethods().cameras, search);
   };
@@ -79,7 +87,17 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
                                    capture::openCamera(methods.cameras, capture::findCamera(found, left)),
                                    capture::openCamera(methods.cameras, capture::findCamera(found, right)));
   };
-  services.listRigs = [] { return capture::RigStore().list(); };
+  services.openNewCameras = [makeMethods](const std::string& left, const std::string& right, int width_px,
+                                          int height_px) {
+    capture::CameraSettings settings;
+    settings.width_px = width_px;
+    settings.height_px = height_px;
+    auto pair = steps::openNewPair(makeMethods().cameras, left, right, settings);
+    return NewCameras{std::move(pair.source), pair.left, pair.right};
+  };
+}
+
+void addVerifiedRig(Services& services, const MakeMethods& makeMethods) {
   services.openRig = [makeMethods](const capture::NamedRig& rig,
                                    const RigVerifying& verifying) -> std::unique_ptr<capture::FrameSource> {
     const auto methods = makeMethods();
@@ -94,14 +112,10 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
                                  told(found);
                                });
   };
-  services.openNewCameras = [makeMethods](const std::string& left, const std::string& right, int width_px,
-                                          int height_px) {
-    capture::CameraSettings settings;
-    settings.width_px = width_px;
-    settings.height_px = height_px;
-    auto pair = steps::openNewPair(makeMethods().cameras, left, right, settings);
-    return NewCameras{std::move(pair.source), pair.left, pair.right};
-  };
+}
+
+void addRigStore(Services& services) {
+  services.listRigs = [] { return capture::RigStore().list(); };
   services.keepRig = [](const capture::NamedRig& rig, Existing existing) {
     capture::RigStore().write(rig, existing);
   };
@@ -111,12 +125,28 @@ Services servicesWith(std::function<steps::Registrations()> makeMethods) {
   services.keepLearnt = [](const std::string& name, const steps::CamerasLearnt& learnt) {
     steps::keepLearnt(capture::RigStore(), name, learnt);
   };
+}
+
+void addSetup(Services& services, const MakeMethods& makeMethods) {
   services.makeSetupMethods = [makeMethods] {
     const auto methods = std::make_shared<steps::Registrations>(makeMethods());
     return steps::SetupMethods{methods->face_detector(), [methods] {
                                  return methods->coil_trackers.create(methods->coil_trackers.defaultName());
                                }};
   };
+}
+
+}  // namespace
+
+Services servicesWith(std::function<steps::Registrations()> makeMethods) {
+  Services services;
+  addScans(services);
+  addPreparing(services, makeMethods);
+  addTreating(services, makeMethods);
+  addCameras(services, makeMethods);
+  addVerifiedRig(services, makeMethods);
+  addRigStore(services);
+  addSetup(services, makeMethods);
   return services;
 }
 

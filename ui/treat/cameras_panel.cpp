@@ -38,6 +38,12 @@ void setPrimary(QPushButton& button, bool is_primary) {
   button.style()->polish(&button);
 }
 
+/// Lets the layout choose the box's width, not its longest name.
+void setNarrow(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(10);
+}
+
 }  // namespace
 
 CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
@@ -77,10 +83,7 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);
-  for (auto* box : {left_, right_}) {  // width follows the layout, not the longest name
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(10);
-  }
+  for (auto* box : {left_, right_}) setNarrow(*box);
   left_->setToolTip(tr("the camera on the left as seen from behind the pair, facing the patient"));
   right_->setToolTip(tr("the camera on the right as seen from behind the pair, facing the patient"));
   auto* again = button(tr("Look again"), tr("which cameras are plugged in"), Qt::Key_F5);
@@ -95,21 +98,35 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->addWidget(new QLabel(tr("right"), this), 1, 0);
   grid->addWidget(right_, 1, 1);
   grid->addWidget(again, 1, 2);
-  named_rig_ = new QComboBox(this);
-  named_rig_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  named_rig_->setMinimumContentsLength(10);
-  named_rig_->setToolTip(tr("cameras, settings and calibration kept under a name (facenav rig new)"));
-  grid->addWidget(new QLabel(tr("rig"), this), 2, 0);
-  grid->addWidget(named_rig_, 2, 1);
+  addNamedRig(*grid);
   grid->addWidget(choose_rig, 2, 2);
   grid->addWidget(rig_, 3, 0, 1, 3);
+  grid->setColumnStretch(1, 1);
+  column.addLayout(grid);
+  column.addWidget(open_);
+  addSetUp(column);
+  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
+  connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
+  connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
+  connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
+  for (auto* box : {left_, right_})
+    connect(box, QOverload<int>::of(&QComboBox::activated), this,
+            [this] { cameras_.choose(left_->currentData().toString(), right_->currentData().toString()); });
+}
+
+void CamerasPanel::addNamedRig(QGridLayout& grid) {
+  named_rig_ = new QComboBox(this);
+  setNarrow(*named_rig_);
+  named_rig_->setToolTip(tr("cameras, settings and calibration kept under a name (facenav rig new)"));
+  grid.addWidget(new QLabel(tr("rig"), this), 2, 0);
+  grid.addWidget(named_rig_, 2, 1);
   connect(named_rig_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     const QString name = named_rig_->currentData().toString();
     if (!name.isEmpty()) cameras_.chooseRig(name);
   });
-  grid->setColumnStretch(1, 1);
-  column.addLayout(grid);
-  column.addWidget(open_);
+}
+
+void CamerasPanel::addSetUp(QVBoxLayout& column) {
   set_up_ = button(tr("Set up the cameras\u2026"), tr("place, calibrate and check a pair in four steps"),
                    Qt::CTRL + Qt::SHIFT + Qt::Key_U);
   latency_ = button(tr("Measure the delay\u2026"),
@@ -126,13 +143,6 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
     screen->show();
   });
   connect(set_up_, &QPushButton::clicked, &cameras_, &CamerasPresenter::askForSetUp);
-  connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);
-  connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
-  connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
-  connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
-  for (auto* box : {left_, right_})
-    connect(box, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { cameras_.choose(left_->currentData().toString(), right_->currentData().toString()); });
 }
 
 void CamerasPanel::addCapture(QVBoxLayout& column) {

@@ -8,6 +8,7 @@
 #include "treat/treat_presenter.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -25,6 +26,8 @@ class CamerasPanel : public QFrame {
 
  private:
   void addChoice(QVBoxLayout& column);
+  void addNamedRig(QGridLayout& grid);
+  void addSetUp(QVBoxLayout& column);
   void addCapture(QVBoxLayout& column);
   void fillDevices();
   void fillRigs();

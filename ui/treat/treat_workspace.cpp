@@ -27,6 +27,15 @@ constexpr int kPageRefresh_ms = 33;
 constexpr const char* kSlicesShown = "treat/slices_shown";
 constexpr const char* kSlicesInScene = "treat/slices_in_scene";
 
+/// A button that stays pressed, as the settings keep it.
+QPushButton* makeSwitch(const QString& text, const char* setting, bool usual, QWidget* parent) {
+  auto* made = new QPushButton(text, parent);
+  made->setObjectName("tool");
+  made->setCheckable(true);
+  made->setChecked(QSettings().value(setting, usual).toBool());
+  return made;
+}
+
 }  // namespace
 
 TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
@@ -94,6 +103,27 @@ QWidget* TreatWorkspace::makeSteps() {
   bar->setObjectName("panel");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(10, 6, 10, 6);
+  makeStepButtons(bar);
+  makeChoices(bar);
+  show_slices_ = makeSwitch(tr("Slices"), kSlicesShown, true, bar);
+  show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
+  show_slices_->setShortcut(Qt::Key_M);
+  slices_in_scene_ = makeSwitch(tr("in 3-D"), kSlicesInScene, false, bar);
+  slices_in_scene_->setToolTip(tr("the same two slices in the 3-D scene, under the coil (Shift+M)"));
+  slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
+  words_ = new ElidedLabel(bar);
+  words_->setObjectName("muted");
+  for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
+  row->addWidget(words_, 1);
+  row->addWidget(show_slices_);
+  row->addWidget(slices_in_scene_);
+  row->addWidget(coil_);
+  row->addWidget(target_);
+  connectSteps();
+  return bar;
+}
+
+void TreatWorkspace::makeStepButtons(QWidget* bar) {
   cameras_ = new QPushButton(bar);
   align_ = new QPushButton(bar);
   guide_ = new QPushButton(bar);
@@ -105,6 +135,9 @@ QWidget* TreatWorkspace::makeSteps() {
   guide_->setToolTip(tr("start or stop guidance (Space)"));
   guide_->setShortcut(Qt::Key_Space);
   guide_->setObjectName("primary");
+}
+
+void TreatWorkspace::makeChoices(QWidget* bar) {
   target_ = new QComboBox(bar);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(12);
@@ -113,27 +146,10 @@ QWidget* TreatWorkspace::makeSteps() {
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
-  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // for large text
-  show_slices_ = new QPushButton(tr("Slices"), bar);
-  show_slices_->setObjectName("tool");
-  show_slices_->setCheckable(true);
-  show_slices_->setChecked(QSettings().value(kSlicesShown, true).toBool());
-  show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
-  show_slices_->setShortcut(Qt::Key_M);
-  slices_in_scene_ = new QPushButton(tr("in 3-D"), bar);
-  slices_in_scene_->setObjectName("tool");
-  slices_in_scene_->setCheckable(true);
-  slices_in_scene_->setChecked(QSettings().value(kSlicesInScene, false).toBool());
-  slices_in_scene_->setToolTip(tr("the same two slices in the 3-D scene, under the coil (Shift+M)"));
-  slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
-  words_ = new ElidedLabel(bar);
-  words_->setObjectName("muted");
-  for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
-  row->addWidget(words_, 1);
-  row->addWidget(show_slices_);
-  row->addWidget(slices_in_scene_);
-  row->addWidget(coil_);
-  row->addWidget(target_);
+  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
+}
+
+void TreatWorkspace::connectSteps() {
   connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
     QSettings().setValue(kSlicesShown, are_shown);
     slices_->setVisible(are_shown && side_->currentIndex() == 0);
@@ -155,7 +171,6 @@ QWidget* TreatWorkspace::makeSteps() {
           [this] { presenter_.chooseTarget(target_->currentText()); });
   connect(coil_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseCoil(coil_->currentText()); });
-  return bar;
 }
 
 void TreatWorkspace::showSlicesInScene() {

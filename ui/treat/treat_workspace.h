@@ -51,6 +51,9 @@ class TreatWorkspace : public QWidget {
  private:
   QWidget* makeSide();
   QWidget* makeSteps();
+  void makeStepButtons(QWidget* bar);
+  void makeChoices(QWidget* bar);
+  void connectSteps();
   void showCase();
   bool hasMoved() const;  // true if a kept rig has moved: no alignment or guidance with it
   void showSteps();

@@ -166,58 +166,76 @@ struct SharedFlags {
   }
 };
 
+void addPlan(CLI::App& verb, EvaluateRequest& request) {
+  EvaluationRequest& room = request.room;
+  std::string scenarios = "scenarios of the virtual room (default: all): capture";
+  for (const auto& kind : room::scenarios())
+    if (kind.name != "capture") scenarios += ", " + kind.name;
+  verb.add_option("--scenario", room.scenarios, scenarios)->delimiter(',');
+  verb.add_option("--seeds", room.seeds, "seeds of each scenario")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb.add_option("--first-seed", room.first_seed, "the first of them")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  verb.add_option("--head,--case", room.heads,
+                  "heads: patient, colin27, a NIfTI file or a case folder, then variants after colons "
+                  "(patient:child:lip): " +
+                      headVariants())
+      ->delimiter(',')
+      ->capture_default_str();
+  verb.add_option("--rigs", room.rigs, "camera rigs: the room's own, then random ones")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb.add_option("--captures", room.captures,
+                  "alignments alone, the patient seated up to 30 deg and 60 mm off")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  verb.add_option("--frames", room.frames, "of each scenario (0: its own length)")
+      ->check(CLI::Range(0, 100000));
+  verb.add_flag("--quick", room.is_quick, "one seed, few frames, five captures");
+  verb.add_flag("--right-only", request.is_right_only,
+                "plain_align: only what must be aligned, no turned cameras and nothing to be refused");
+  room::ScenarioOptions::visit(room.room, SharedFlags{verb});
+}
+
+void addMethods(CLI::App& verb, EvaluateRequest& request, const Context& context) {
+  verb.add_option("--aligner", request.methods.aligner,
+                  "method: " + steps::namesOf(context.registrations.aligners))
+      ->capture_default_str();
+  verb.add_option("--head-tracker", request.methods.head_tracker,
+                  "method: " + steps::namesOf(context.registrations.head_trackers))
+      ->capture_default_str();
+  verb.add_option("--coil-tracker", request.methods.coil_tracker,
+                  "method: " + steps::namesOf(context.registrations.coil_trackers))
+      ->capture_default_str();
+}
+
+/// Runs the request: in the virtual room, or in the recordings of one case.
+void runRequested(Context& context, EvaluateRequest& request) {
+  if (!request.recordings.empty()) {
+    if (request.room.heads.size() != 1 || request.room.heads.front() == "patient")
+      throw Error("a recording is measured in one case", {}, "add --case CASE");
+    request.case_folder = request.room.heads.front();
+  }
+  runEvaluate(context, request);
+}
+
 }  // namespace
 
 void addEvaluate(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "evaluate", "the live path against the accuracy goals, over scenarios, seeds, heads, rigs");
   auto request = std::make_shared<EvaluateRequest>();
-  EvaluationRequest& room = request->room;
   request->methods = {context.registrations.aligners.defaultName(),
                       context.registrations.head_trackers.defaultName(),
                       context.registrations.coil_trackers.defaultName()};
-  std::string scenarios = "scenarios of the virtual room (default: all): capture";
-  for (const auto& kind : room::scenarios())
-    if (kind.name != "capture") scenarios += ", " + kind.name;
-  verb->add_option("--scenario", room.scenarios, scenarios)->delimiter(',');
-  verb->add_option("--seeds", room.seeds, "seeds of each scenario")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  verb->add_option("--first-seed", room.first_seed, "the first of them")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  verb->add_option("--head,--case", room.heads,
-                   "heads: patient, colin27, a NIfTI file or a case folder, then variants after colons "
-                   "(patient:child:lip): " +
-                       headVariants())
-      ->delimiter(',')
-      ->capture_default_str();
-  verb->add_option("--rigs", room.rigs, "camera rigs: the room's own, then random ones")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  verb->add_option("--captures", room.captures,
-                   "alignments alone, the patient seated up to 30 deg and 60 mm off")
-      ->check(CLI::Range(0, 10000))
-      ->capture_default_str();
-  verb->add_option("--frames", room.frames, "of each scenario (0: its own length)")
-      ->check(CLI::Range(0, 100000));
-  verb->add_flag("--quick", room.is_quick, "one seed, few frames, five captures");
-  verb->add_flag("--right-only", request->is_right_only,
-                 "plain_align: only what must be aligned, no turned cameras and nothing to be refused");
-  room::ScenarioOptions::visit(room.room, SharedFlags{*verb});
+  addPlan(*verb, *request);
   verb->add_option("--recording", request->recordings,
                    "recordings with truth/ instead of the virtual room (with one --case)");
   verb->add_option("--target", request->target,
                    "target of the case to measure at, with --recording (default: the first)");
-  verb->add_option("--aligner", request->methods.aligner,
-                   "method: " + steps::namesOf(context.registrations.aligners))
-      ->capture_default_str();
-  verb->add_option("--head-tracker", request->methods.head_tracker,
-                   "method: " + steps::namesOf(context.registrations.head_trackers))
-      ->capture_default_str();
-  verb->add_option("--coil-tracker", request->methods.coil_tracker,
-                   "method: " + steps::namesOf(context.registrations.coil_trackers))
-      ->capture_default_str();
+  addMethods(*verb, *request, context);
   verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
@@ -229,12 +247,7 @@ void addEvaluate(CLI::App& app, Context& context) {
     if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs") ||
         verb->got_subcommand("return"))
       return;
-    if (!request->recordings.empty()) {
-      if (request->room.heads.size() != 1 || request->room.heads.front() == "patient")
-        throw Error("a recording is measured in one case", {}, "add --case CASE");
-      request->case_folder = request->room.heads.front();
-    }
-    runEvaluate(context, *request);
+    runRequested(context, *request);
   });
 }
 

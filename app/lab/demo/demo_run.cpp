@@ -120,6 +120,90 @@ room::ScenarioOptions scenario(const char* name, const DemoRequest& request) {
   return options;
 }
 
+casefile::CaseStore prepareCase(Context& context, const fs::path& dicom_folder, const fs::path& folder) {
+  steps::PrepareRequest prepare{dicom_folder,
+                                folder / "case",
+                                {},
+                                context.registrations.head_segmenters.defaultName(),
+                                context.registrations.brain_segmenters.defaultName()};
+  return steps::prepareCase(context.registrations, prepare, context.monitor).store;
+}
+
+/// Records the protractor and the treatment in the virtual room.
+void simulateBoth(Context& context, const DemoRequest& request, const casefile::CaseStore& store,
+                  const guidance::Target& target, const fs::path& folder) {
+  const auto patient =
+      std::make_shared<const room::VirtualPatient>(room::makePatient(store.mri(), {}, context.monitor));
+  room::simulate(scenario("protractor", request), patient, target.mri_T_target, folder / "protractor",
+                 context.monitor);
+  auto treatment = scenario("treatment", request);
+  treatment.frames = request.frames;
+  room::simulate(treatment, patient, target.mri_T_target, folder / "recording", context.monitor);
+}
+
+steps::TrackRequest trackRequest(const Context& context, const casefile::CaseStore& store,
+                                 const fs::path& recording) {
+  return {recording,
+          store.folder(),
+          std::nullopt,
+          context.registrations.aligners.defaultName(),
+          context.registrations.head_trackers.defaultName(),
+          context.registrations.coil_trackers.defaultName(),
+          kTarget};
+}
+
+void trackProtractor(Context& context, const casefile::CaseStore& store, const guidance::Target& target,
+                     const fs::path& folder, DemoFigures& figures) {
+  const auto protractor = steps::trackRecording(
+      context.registrations, trackRequest(context, store, folder / "protractor"), context.monitor);
+  const Truth truth = readRoomTruth(folder / "protractor");
+  figures.protractor = evaluation::evaluateTracking(estimatesOf(protractor.poses, casefile::PoseObject::head),
+                                                    truth.head, target.cortex_point.mm);
+  writeProtractorPlot(figures.protractor, truth.head, folder / "protractor_error.svg");
+}
+
+void measureAlignment(const steps::AlignmentOutcome& alignment, const fs::path& recording,
+                      const guidance::Target& target, DemoFigures& figures) {
+  figures.alignment = alignment.stored();
+  const auto error = poseError(alignment.result.camera_T_mri, captureTruth(recording), target.cortex_point);
+  figures.alignment_rotation_deg = error.rotation_rad * kDegPerRad;
+  figures.alignment_at_target_mm = error.at_point_mm;
+}
+
+using States = std::vector<std::shared_ptr<const session::NavigationState>>;
+
+/// Aligns, tracks and guides the treatment: its files, its figures and, for the pictures, each frame's state.
+steps::TrackOutcome trackTreatment(Context& context, const casefile::CaseStore& store,
+                                   const guidance::Target& target, const fs::path& folder, States& states,
+                                   DemoFigures& figures) {
+  auto track = trackRequest(context, store, folder / "recording");
+  track.coil_file = folder / "recording/coil.json";
+  auto tracked = steps::trackRecording(
+      context.registrations, track, context.monitor, [&](const session::NavigationState& state) {
+        states.push_back(std::make_shared<const session::NavigationState>(state));
+      });
+  casefile::writePoses(tracked.poses, folder / "poses.csv");
+  const auto guidance_rows = steps::guidePoses(store, tracked.poses, kTarget);
+  guidance::writeGuidanceCsv(guidance_rows, folder / "guidance.csv");
+  figures.frames_on_target =
+      int(std::count_if(guidance_rows.begin(), guidance_rows.end(),
+                        [](const auto& row) { return row.state.state == guidance::State::on_target; }));
+  measureTreatment(tracked.poses, readRoomTruth(folder / "recording"), target, figures);
+  measureAlignment(*tracked.alignment, folder / "recording", target, figures);
+  return tracked;
+}
+
+std::vector<evaluation::ReportFigure> drawAll(Context& context, const casefile::CaseStore& store,
+                                              const guidance::Target& target,
+                                              const steps::AlignmentOutcome& alignment, States states,
+                                              const fs::path& folder) {
+  const auto rig = cameras::readRig(folder / "recording/stereo.yml");
+  auto pictures = drawNavigation({store, rig, target, std::move(states)}, folder, context.monitor);
+  for (auto& figure : drawAlignment(store, alignment, folder)) pictures.push_back(std::move(figure));
+  pictures.push_back({"Tracking error over the head's rotation (paper, figure 13).", "protractor_error.svg"});
+  return pictures;
+}
+
 }  // namespace
 
 DemoFigures runDemo(Context& context, const DemoRequest& request) {
@@ -132,64 +216,21 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   const auto patient_files = virtualPatientFiles(context);
   watch.lap("virtual patient");
 
-  steps::PrepareRequest prepare{patient_files.dicom_folder,
-                                folder / "case",
-                                {},
-                                context.registrations.head_segmenters.defaultName(),
-                                context.registrations.brain_segmenters.defaultName()};
-  const auto prepared = steps::prepareCase(context.registrations, prepare, context.monitor);
-  const casefile::CaseStore& store = prepared.store;
+  const casefile::CaseStore store = prepareCase(context, patient_files.dicom_folder, folder);
   const auto target = planHandArea(store);
   watch.lap("import, brain and skin model, plan");
 
-  const auto patient =
-      std::make_shared<const room::VirtualPatient>(room::makePatient(store.mri(), {}, context.monitor));
-  room::simulate(scenario("protractor", request), patient, target.mri_T_target, folder / "protractor",
-                 context.monitor);
-  auto treatment = scenario("treatment", request);
-  treatment.frames = request.frames;
-  room::simulate(treatment, patient, target.mri_T_target, folder / "recording", context.monitor);
+  simulateBoth(context, request, store, target, folder);
   watch.lap("virtual room: both recordings");
 
-  steps::TrackRequest track{folder / "protractor",
-                            store.folder(),
-                            std::nullopt,
-                            context.registrations.aligners.defaultName(),
-                            context.registrations.head_trackers.defaultName(),
-                            context.registrations.coil_trackers.defaultName(),
-                            kTarget};
-  const auto protractor = steps::trackRecording(context.registrations, track, context.monitor);
-  const Truth protractor_truth = readRoomTruth(folder / "protractor");
-  figures.protractor = evaluation::evaluateTracking(estimatesOf(protractor.poses, casefile::PoseObject::head),
-                                                    protractor_truth.head, target.cortex_point.mm);
-  writeProtractorPlot(figures.protractor, protractor_truth.head, folder / "protractor_error.svg");
+  trackProtractor(context, store, target, folder, figures);
   watch.lap("align and track the protractor");
 
-  track.recording = folder / "recording";
-  track.coil_file = folder / "recording/coil.json";
-  std::vector<std::shared_ptr<const session::NavigationState>> states;
-  const auto tracked = steps::trackRecording(
-      context.registrations, track, context.monitor, [&](const session::NavigationState& state) {
-        states.push_back(std::make_shared<const session::NavigationState>(state));
-      });
-  casefile::writePoses(tracked.poses, folder / "poses.csv");
-  const auto guidance_rows = steps::guidePoses(store, tracked.poses, kTarget);
-  guidance::writeGuidanceCsv(guidance_rows, folder / "guidance.csv");
-  figures.frames_on_target =
-      int(std::count_if(guidance_rows.begin(), guidance_rows.end(),
-                        [](const auto& row) { return row.state.state == guidance::State::on_target; }));
-  measureTreatment(tracked.poses, readRoomTruth(folder / "recording"), target, figures);
-  figures.alignment = tracked.alignment->stored();
-  const auto error = poseError(tracked.alignment->result.camera_T_mri, captureTruth(folder / "recording"),
-                               target.cortex_point);
-  figures.alignment_rotation_deg = error.rotation_rad * kDegPerRad;
-  figures.alignment_at_target_mm = error.at_point_mm;
+  States states;
+  const auto tracked = trackTreatment(context, store, target, folder, states, figures);
   watch.lap("align, track and guide the treatment");
 
-  const auto rig = cameras::readRig(folder / "recording/stereo.yml");
-  auto pictures = drawNavigation({store, rig, target, std::move(states)}, folder, context.monitor);
-  for (auto& figure : drawAlignment(store, *tracked.alignment, folder)) pictures.push_back(std::move(figure));
-  pictures.push_back({"Tracking error over the head's rotation (paper, figure 13).", "protractor_error.svg"});
+  const auto pictures = drawAll(context, store, target, *tracked.alignment, std::move(states), folder);
   watch.lap("pictures and video");
   writeDemoReport(figures, pictures, folder);
   result.finish();

@@ -165,66 +165,77 @@ Vector6d toldMotion(const Explained& moved) {
 
 }  // namespace
 
-RigEstimate RigMonitor::estimate() const {
-  double samples = 0;
-  for (const auto& entry : cells_) samples += double(entry.second.residuals_px.size());
-  if (samples < kFewest) return {};
-  std::vector<const Cell*> cells;
-  for (const auto& entry : cells_) cells.push_back(&entry.second);
-  std::vector<const SizeCell*> sizes;
-  for (const auto& entry : size_cells_) sizes.push_back(&entry.second);
-  const int points = int(cells.size()), all = points + int(sizes.size());
+/// The gathered cells as one system of measurements: a row for each cell of points, then one for each cell of
+/// squares.
+class RigMonitor::Evaluation {
+ public:
+  explicit Evaluation(const RigMonitor& monitor) : rig_(monitor.rig_), uncertainty_(monitor.uncertainty_) {
+    for (const auto& entry : monitor.cells_) cells_.push_back(&entry.second);
+    for (const auto& entry : monitor.size_cells_) sizes_.push_back(&entry.second);
+    points_ = int(cells_.size()), all_ = points_ + int(sizes_.size());
+  }
+  RigEstimate estimate() const;
 
-  const auto typicalScatter = [&] {
-    std::vector<double> off;
-    for (const Cell* cell : cells)
-      if (double(cell->residuals_px.size()) >= kTellsScatter)
-        off.push_back(scatterOf(cell->residuals_px, upperMedian(cell->residuals_px)));
-    return upperMedian(off);
-  };
-  const auto contradiction = [&](const Explanation& model) {
-    std::vector<double> z;  // normalised residuals of single points, calibration error included
-    for (int i = 0; i < points; ++i)
-      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n)
-        z.push_back(std::abs(cells[i]->residuals_px[n]) /
-                    std::sqrt(std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
-                              model.by_calibration.row(i).squaredNorm()));
-    return upperMedian(z);
-  };
-  const auto clipped = [&](const Eigen::VectorXd& explained) {
-    double sum = 0, count = 0;
-    for (int i = 0; i < points; ++i)
-      for (std::size_t n = 0; n < cells[i]->residuals_px.size(); ++n, ++count)
-        sum += std::min(4.0, std::pow(cells[i]->residuals_px[n] - explained[i], 2) /
-                                 (std::pow(cells[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2)));
-    return sum / count;
-  };
-  const auto predict =
-      [&](const cameras::StereoRig& rig) {  // residuals in the cells if this were the true rig
-        Eigen::VectorXd values(all);
-        for (int i = 0; i < points; ++i)
-          values[i] = cameras::epipolarResidual_px(rig, cells[i]->left_px, cells[i]->right_px);
-        for (int i = points; i < all; ++i) values[i] = sizeError(rig, sizes[i - points]->square);
-        return values;
-      };
-  const Eigen::VectorXd nominal = predict(rig_);
-  const int axes = int(uncertainty_.one_sigma.size());
-  Explanation model{Eigen::VectorXd(all), Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, axes + 1),
-                    Eigen::MatrixXd(all, 6)};
-  const double typical_px = typicalScatter();
-  for (int i = 0; i < points; ++i) {
-    const auto [middle, sigma] = middleOf(cells[i]->residuals_px, cells[i]->sigmas_px, typical_px);
+ private:
+  Explanation makeModel() const;
+  void addPoints(Explanation& model) const;
+  void addSizes(Explanation& model) const;
+  void addCauses(Explanation& model) const;
+  Eigen::VectorXd predict(const cameras::StereoRig& rig) const;
+  double typicalScatter_px() const;
+  double contradictionOf(const Explanation& model) const;
+  double clippedResidual(const Eigen::VectorXd& explained) const;
+  double epipolar_px(const Explanation& model, const Explained& moved) const;
+  double displaced_mm(const Vector6d& motion) const;
+
+  const cameras::StereoRig& rig_;
+  const cameras::RigUncertainty& uncertainty_;
+  std::vector<const Cell*> cells_;
+  std::vector<const SizeCell*> sizes_;
+  int points_ = 0, all_ = 0;  // rows of the cells of points, and of both
+};
+
+/// Residuals in the cells if this were the true rig.
+Eigen::VectorXd RigMonitor::Evaluation::predict(const cameras::StereoRig& rig) const {
+  Eigen::VectorXd values(all_);
+  for (int i = 0; i < points_; ++i)
+    values[i] = cameras::epipolarResidual_px(rig, cells_[i]->left_px, cells_[i]->right_px);
+  for (int i = points_; i < all_; ++i) values[i] = sizeError(rig, sizes_[i - points_]->square);
+  return values;
+}
+
+double RigMonitor::Evaluation::typicalScatter_px() const {
+  std::vector<double> off;
+  for (const Cell* cell : cells_)
+    if (double(cell->residuals_px.size()) >= kTellsScatter)
+      off.push_back(scatterOf(cell->residuals_px, upperMedian(cell->residuals_px)));
+  return upperMedian(off);
+}
+
+void RigMonitor::Evaluation::addPoints(Explanation& model) const {
+  const double typical_px = typicalScatter_px();
+  for (int i = 0; i < points_; ++i) {
+    const auto [middle, sigma] = middleOf(cells_[i]->residuals_px, cells_[i]->sigmas_px, typical_px);
     model.seen[i] = middle;
     model.sigma[i] = std::hypot(uncertainty_.lens_px, sigma);
   }
-  for (int i = points; i < all; ++i) {
-    const SizeCell& cell = *sizes[i - points];
+}
+
+void RigMonitor::Evaluation::addSizes(Explanation& model) const {
+  const int print = int(model.by_calibration.cols()) - 1;  // all sizes share the one error of the print
+  for (int i = points_; i < all_; ++i) {
+    const SizeCell& cell = *sizes_[i - points_];
     model.seen[i] = cell.error;
     model.sigma[i] = std::hypot(5e-4, std::sqrt(cell.variance));
-    model.by_calibration(i, axes) =
-        cell.square.print_sigma_mm / cell.square.size_mm;  // the error of the print is common to all sizes
+    model.by_calibration(i, print) = cell.square.print_sigma_mm / cell.square.size_mm;
   }
-  for (int k = 0; k < axes; ++k) model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
+}
+
+/// Adds the derivatives of all measurements by the calibration's axes and by the motion.
+void RigMonitor::Evaluation::addCauses(Explanation& model) const {
+  const Eigen::VectorXd nominal = predict(rig_);
+  for (int k = 0; k < int(uncertainty_.one_sigma.size()); ++k)
+    model.by_calibration.col(k) = nominal - predict(uncertainty_.one_sigma[k]);
   // If the right camera moved by xi, its true rig would give zero residuals: seen = -d predict / d xi * xi.
   for (int k = 0; k < 6; ++k) {
     Vector6d step = Vector6d::Zero();
@@ -232,7 +243,58 @@ RigEstimate RigMonitor::estimate() const {
     const double prior = k < 3 ? kTurnSigma_rad : kShiftSigma_mm;
     model.by_motion.col(k) = -(predict(cameras::turned(rig_, step)) - nominal) * (prior / step[k]);
   }
-  Eigen::MatrixXd either(all, axes + 7);
+}
+
+Explanation RigMonitor::Evaluation::makeModel() const {
+  const int axes = int(uncertainty_.one_sigma.size());
+  Explanation model{Eigen::VectorXd(all_), Eigen::VectorXd(all_), Eigen::MatrixXd::Zero(all_, axes + 1),
+                    Eigen::MatrixXd(all_, 6)};
+  addPoints(model);
+  addSizes(model);
+  addCauses(model);
+  return model;
+}
+
+/// Median of the single points' normalised residuals, with the calibration's error in their sigmas.
+double RigMonitor::Evaluation::contradictionOf(const Explanation& model) const {
+  std::vector<double> z;
+  for (int i = 0; i < points_; ++i)
+    for (std::size_t n = 0; n < cells_[i]->residuals_px.size(); ++n)
+      z.push_back(std::abs(cells_[i]->residuals_px[n]) /
+                  std::sqrt(std::pow(cells_[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
+                            model.by_calibration.row(i).squaredNorm()));
+  return upperMedian(z);
+}
+
+/// Mean squared residual of the single points in their sigmas, each at most four.
+double RigMonitor::Evaluation::clippedResidual(const Eigen::VectorXd& explained) const {
+  double sum = 0, count = 0;
+  for (int i = 0; i < points_; ++i)
+    for (std::size_t n = 0; n < cells_[i]->residuals_px.size(); ++n, ++count)
+      sum += std::min(4.0, std::pow(cells_[i]->residuals_px[n] - explained[i], 2) /
+                               (std::pow(cells_[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2)));
+  return sum / count;
+}
+
+double RigMonitor::Evaluation::epipolar_px(const Explanation& model, const Explained& moved) const {
+  const Eigen::VectorXd weight = moved.weight.head(points_);  // wrong matches stay wrong under any motion
+  return std::sqrt(weight.dot(model.seen.head(points_).cwiseAbs2()) / std::max(1e-9, weight.sum()));
+}
+
+/// Root mean square shift in space of the cells' points if the right camera moved so.
+double RigMonitor::Evaluation::displaced_mm(const Vector6d& motion) const {
+  const cameras::StereoRig moved_rig = cameras::turned(rig_, motion);
+  double squares = 0;
+  for (const Cell* cell : cells_)
+    squares += (cameras::triangulate(moved_rig, cell->left_px, cell->right_px).mm -
+                cameras::triangulate(rig_, cell->left_px, cell->right_px).mm)
+                   .squaredNorm();
+  return std::sqrt(squares / points_);
+}
+
+RigEstimate RigMonitor::Evaluation::estimate() const {
+  const Explanation model = makeModel();
+  Eigen::MatrixXd either(all_, model.by_calibration.cols() + 6);
   either << model.by_calibration, model.by_motion;
   const Explained holds = explain(model, model.by_calibration), moved = explain(model, either);
   Vector6d motion = toldMotion(moved);
@@ -242,34 +304,32 @@ RigEstimate RigMonitor::estimate() const {
   RigEstimate verdict;
   if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;
   verdict.statistic = holds.cost - moved.cost;
-  verdict.contradiction = contradiction(model);
-  const Eigen::VectorXd by_rest = model.by_calibration * holds.unknowns, by_all = either * moved.unknowns;
-  const double come_nearer = clipped(by_rest) - clipped(by_all);
-  // A wrong size costs through its own residual and through an unlikely calibration; both count.
-  const double sizes_tell = sizes.empty()
-                                ? 0.0
-                                : sizeCost(model, by_rest, points) - sizeCost(model, by_all, points) +
-                                      holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
+  verdict.contradiction = contradictionOf(model);
   verdict.turn_rad = motion.head<3>();
-  const Eigen::VectorXd weight = moved.weight.head(points);  // wrong matches stay wrong under any motion
-  verdict.epipolar_px =
-      std::sqrt(weight.dot(model.seen.head(points).cwiseAbs2()) / std::max(1e-9, weight.sum()));
-  const cameras::StereoRig moved_rig = cameras::turned(rig_, motion);
-  double squares = 0;
-  for (const Cell* cell : cells)
-    squares += (cameras::triangulate(moved_rig, cell->left_px, cell->right_px).mm -
-                cameras::triangulate(rig_, cell->left_px, cell->right_px).mm)
-                   .squaredNorm();
-  verdict.displaced_mm = std::sqrt(squares / points);
-  const Eigen::VectorXd rows_px = model.by_motion.topRows(points) * moved.unknowns.tail<6>();
+  verdict.epipolar_px = epipolar_px(model, moved);
+  verdict.displaced_mm = displaced_mm(motion);
+  const Eigen::VectorXd by_rest = model.by_calibration * holds.unknowns, by_all = either * moved.unknowns;
+  const double come_nearer = clippedResidual(by_rest) - clippedResidual(by_all);
+  // A wrong size costs through its own residual and through an unlikely calibration; both count.
+  const double sizes_tell = sizes_.empty()
+                                ? 0.0
+                                : sizeCost(model, by_rest, points_) - sizeCost(model, by_all, points_) +
+                                      holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
+  const Eigen::VectorXd rows_px = model.by_motion.topRows(points_) * moved.unknowns.tail<6>();
   const bool is_contradicted = verdict.contradiction > kContradicted;
   const bool is_harmful = verdict.displaced_mm > kHarmful_mm ||
-                          std::sqrt(rows_px.squaredNorm() / points) > kHarmful_px || is_contradicted;
+                          std::sqrt(rows_px.squaredNorm() / points_) > kHarmful_px || is_contradicted;
   const bool is_told = verdict.statistic > kMovedStatistic &&
                        (come_nearer > kComesNearer || sizes_tell > 0.5 * verdict.statistic);
-  const bool has_moved = is_told || is_contradicted;
-  verdict.state = has_moved && is_harmful ? RigState::moved : RigState::holds;
+  verdict.state = (is_told || is_contradicted) && is_harmful ? RigState::moved : RigState::holds;
   return verdict;
+}
+
+RigEstimate RigMonitor::estimate() const {
+  double samples = 0;
+  for (const auto& entry : cells_) samples += double(entry.second.residuals_px.size());
+  if (samples < kFewest) return {};
+  return Evaluation(*this).estimate();
 }
 
 }  // namespace facenav::health

@@ -104,10 +104,9 @@ void makeReal(ScenarioOptions& options) {
   own(options.rig_name, usual.rig_name, std::string("close"));
 }
 
-}  // namespace
-
-const std::vector<ScenarioKind>& scenarios() {
-  static const std::vector<ScenarioKind> kinds{
+/// Scenarios of a treatment before synchronised cameras, and what may disturb it.
+std::vector<ScenarioKind> treatmentScenarios() {
+  return {
       {"capture", "the still pair for the alignment, and one plain frame", 1},
       {"protractor", "head at -12.5 .. 12.5 deg in steps of 2.5 about each axis, as in the paper", 33},
       {"treatment", "natural head motion; the coil is brought to the target and held for the last second",
@@ -126,6 +125,12 @@ const std::vector<ScenarioKind>& scenarios() {
        "face and coil, while the right camera turns slowly on its mount (0.3 deg; or shifts by 1 mm)", 240},
       {"drift_face", "the same without the coil", 240},
       {"lost", "face away, head out of view, cameras black, frozen, swapped: each frame labelled", 180},
+  };
+}
+
+/// Scenarios in which the patient moves the face or is away in between, and comes back.
+std::vector<ScenarioKind> returnScenarios() {
+  return {
       {"grimace",
        "the patient comes back four times, each time after 1.4 s, elsewhere (0.5-5 deg, 3-16 mm) and with "
        "another grimace",
@@ -147,6 +152,12 @@ const std::vector<ScenarioKind>& scenarios() {
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
       {"moments_other", "the same, and another person sits there at the third and the fourth moment",
        kMomentsFrames, kRealJpeg, kRealGloss, true, true},
+  };
+}
+
+/// Scenarios of treatments and of the alignment before two webcams.
+std::vector<ScenarioKind> webcamScenarios() {
+  return {
       {"webcam",
        "treatment before two webcams: rolling shutter (20 ms), exposure (10 ms), JPEG 75, unequal tone "
        "curves",
@@ -166,6 +177,17 @@ const std::vector<ScenarioKind>& scenarios() {
        "both sides",
        kTurnFrames, kWebcamJpeg, kDullGloss, true},
   };
+}
+
+}  // namespace
+
+const std::vector<ScenarioKind>& scenarios() {
+  static const std::vector<ScenarioKind> kinds = [] {
+    std::vector<ScenarioKind> all = treatmentScenarios();
+    for (auto&& group : {returnScenarios(), webcamScenarios()})
+      all.insert(all.end(), group.begin(), group.end());
+    return all;
+  }();
   return kinds;
 }
 

@@ -45,6 +45,69 @@ class MeasuredFace {
   std::vector<Eigen::Vector4d> sum_mm_;  // sum of the points, and in w their number
 };
 
+/// Bounds of the expected face: its box in the left image, with a margin, and its depths.
+struct FaceBounds {
+  Eigen::Vector2d low_px{1e9, 1e9}, high_px{-1e9, -1e9};
+  double nearest_mm = 1e9, farthest_mm = 0;
+
+  void add(const Eigen::Vector2d& px, double depth_mm) {
+    low_px = low_px.cwiseMin(px), high_px = high_px.cwiseMax(px);
+    nearest_mm = std::min(nearest_mm, depth_mm), farthest_mm = std::max(farthest_mm, depth_mm);
+  }
+  cv::Rect box(const cameras::StereoRig& rig) const {
+    const Eigen::Vector2d margin = 0.15 * (high_px - low_px);
+    return cv::Rect(cv::Point(int(low_px.x() - margin.x()), int(low_px.y() - margin.y())),
+                    cv::Point(int(high_px.x() + margin.x()), int(high_px.y() + margin.y()))) &
+           cv::Rect(0, 0, rig.width_px, rig.height_px);
+  }
+};
+
+/// Measures the face within its bounds; nullopt where too little of it is in view, or it cannot be measured.
+std::optional<MeasuredFace> measureWithin(const FaceBounds& bounds, const cameras::StereoRig& rig,
+                                          const cameras::StereoFrame& frame) {
+  if (!((bounds.high_px - bounds.low_px).maxCoeff() < 1e5)) return std::nullopt;
+  stereo::FaceCloudOptions options;
+  options.match = stereo::quickSkinOptions();
+  options.left_roi = bounds.box(rig);
+  options.nearest_mm = std::max(50.0, bounds.nearest_mm - kReach_mm);
+  options.farthest_mm = bounds.farthest_mm + kReach_mm;
+  if (options.left_roi->area() < 1000) return std::nullopt;
+  try {
+    TaskMonitor monitor;
+    return MeasuredFace(stereo::measureFace(rig, frame, options, monitor), frame.left.size());
+  } catch (const Error&) {  // too little texture or too dark: unknown
+    return std::nullopt;
+  }
+}
+
+/// One Gauss-Newton step of the shape to the measured face.
+struct ShapeStep {
+  Matrix6d h = Matrix6d::Identity() * 1e-6;
+  Vector6d g = Vector6d::Zero();
+  std::vector<double> distances, rigid_mm;
+
+  void add(double off_mm, double mobility_mm, double scale, const Vector6d& j) {
+    const double sigma_mm = std::hypot(kStereo_mm, mobility_mm), distance = off_mm / sigma_mm;
+    distances.push_back(std::abs(distance));
+    if (mobility_mm <= kRigid_mm) rigid_mm.push_back(std::abs(off_mm));
+    const double weight = (kFreedom + 1) / (kFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
+    h.noalias() += weight * j * j.transpose();
+    g += weight * off_mm * j;
+  }
+  bool isEnough() const {
+    return int(distances.size()) >= kFewestNodes && int(rigid_mm.size()) >= kFewestNodes / 3;
+  }
+};
+
+/// Distance along its normal from a node to the measured skin; nullopt where that is turned away or unseen.
+std::optional<double> distance_mm(const MeasuredFace& face, const cameras::StereoRig& rig,
+                                  const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
+  if (p_mm.z() < 50 || -normal.dot(p_mm.normalized()) < kLeastFacing) return std::nullopt;
+  const auto measured_mm = face.near(cameras::project(rig.left, p_mm));
+  if (!measured_mm) return std::nullopt;
+  return normal.dot(*measured_mm - p_mm);
+}
+
 }  // namespace
 
 FaceShape::FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
@@ -71,64 +134,35 @@ FaceShape::FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, co
 std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                                        const Eigen::Isometry3d& start) const {
   if (int(nodes_.size()) < kFewestNodes) return std::nullopt;
-  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
-  double nearest_mm = 1e9, farthest_mm = 0;
+  FaceBounds bounds;
   for (const auto& node : nodes_) {
     const Eigen::Vector3d p_mm = start * node.mm;
     if (p_mm.z() < kReach_mm) return std::nullopt;
-    const Eigen::Vector2d px = cameras::project(rig.left, p_mm);
-    low = low.cwiseMin(px), high = high.cwiseMax(px);
-    nearest_mm = std::min(nearest_mm, p_mm.z()), farthest_mm = std::max(farthest_mm, p_mm.z());
+    bounds.add(cameras::project(rig.left, p_mm), p_mm.z());
   }
-  const Eigen::Vector2d margin = 0.15 * (high - low);
-  if (!((high - low).maxCoeff() < 1e5)) return std::nullopt;
-  stereo::FaceCloudOptions options;
-  options.match = stereo::quickSkinOptions();
-  options.left_roi = cv::Rect(cv::Point(int(low.x() - margin.x()), int(low.y() - margin.y())),
-                              cv::Point(int(high.x() + margin.x()), int(high.y() + margin.y()))) &
-                     cv::Rect(0, 0, rig.width_px, rig.height_px);
-  options.nearest_mm = std::max(50.0, nearest_mm - kReach_mm), options.farthest_mm = farthest_mm + kReach_mm;
-  if (options.left_roi->area() < 1000) return std::nullopt;
-  stereo::FaceCloud cloud;
-  try {
-    TaskMonitor monitor;
-    cloud = stereo::measureFace(rig, frame, options, monitor);
-  } catch (const Error&) {  // too little texture or too dark: unknown
-    return std::nullopt;
-  }
-  const MeasuredFace face(cloud, frame.left.size());
+  const auto face = measureWithin(bounds, rig, frame);
+  if (!face) return std::nullopt;
   ShapeFit fit;
   fit.camera_T_head = start;
   double scale = 3.0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Eigen::Matrix3d& turn = fit.camera_T_head.linear();
-    Matrix6d h = Matrix6d::Identity() * 1e-6;
-    Vector6d g = Vector6d::Zero();
-    std::vector<double> distances, rigid_mm;
+    ShapeStep step;
     for (const auto& node : nodes_) {
       const Eigen::Vector3d p_mm = fit.camera_T_head * node.mm, normal = turn * node.normal;
-      if (p_mm.z() < 50 || -normal.dot(p_mm.normalized()) < kLeastFacing) continue;
-      const auto measured_mm = face.near(cameras::project(rig.left, p_mm));
-      if (!measured_mm) continue;
-      const double off_mm = normal.dot(*measured_mm - p_mm);
-      if (std::abs(off_mm) > kFarthest_mm * std::max(1.0, scale)) continue;
-      const double sigma_mm = std::hypot(kStereo_mm, node.mobility_mm), distance = off_mm / sigma_mm;
-      distances.push_back(std::abs(distance));
-      if (node.mobility_mm <= kRigid_mm) rigid_mm.push_back(std::abs(off_mm));
-      const double weight =
-          (kFreedom + 1) / (kFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
+      const auto off_mm = distance_mm(*face, rig, p_mm, normal);
+      if (!off_mm || std::abs(*off_mm) > kFarthest_mm * std::max(1.0, scale)) continue;
       Vector6d j;
       j << (node.mm - centre_mm_).cross(node.normal), node.normal;
-      h.noalias() += weight * j * j.transpose();
-      g += weight * off_mm * j;
+      step.add(*off_mm, node.mobility_mm, scale, j);
     }
-    if (int(distances.size()) < kFewestNodes || int(rigid_mm.size()) < kFewestNodes / 3) return std::nullopt;
-    const Vector6d xi = solveSymmetric(h, g);
+    if (!step.isEnough()) return std::nullopt;
+    const Vector6d xi = solveSymmetric(step.h, step.g);
     if (!xi.allFinite()) return std::nullopt;
     fit.camera_T_head = fit.camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) *
                         Eigen::Translation3d(-centre_mm_);
-    scale = std::max(0.7, kSigmaPerMad * upperMedian(distances));
-    fit.rms_mm = kSigmaPerMad * upperMedian(rigid_mm), fit.nodes = int(distances.size());
+    scale = std::max(0.7, kSigmaPerMad * upperMedian(step.distances));
+    fit.rms_mm = kSigmaPerMad * upperMedian(step.rigid_mm), fit.nodes = int(step.distances.size());
     if (xi.tail<3>().norm() + 60.0 * xi.head<3>().norm() < kSettled_mm) break;
   }
   return fit;

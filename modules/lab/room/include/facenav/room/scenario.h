@@ -53,6 +53,18 @@ struct ScenarioOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
+    visitSequence(self, visitor);
+    visitSensor(self, visitor);
+    visitImages(self, visitor);
+    visitPatient(self, visitor);
+    visitColour(self, visitor);
+    visitRig(self, visitor);
+    RigOptions::visit(self.rig, visitor);
+  }
+
+ private:
+  template <class Self, class Visitor>
+  static void visitSequence(Self& self, Visitor&& visitor) {
     visitor(Field{"frames", "number of frames (0: the scenario's own length)", 0, 100000}, self.frames);
     visitor(Field{"frames_per_s", "frame rate", 1, 1000}, self.frames_per_s);
     visitor(Field{"seed", "of motion, skin and noise"}, self.seed);
@@ -70,7 +82,9 @@ struct ScenarioOptions {
         Field{"right_late_ms",
               "by how much the right camera exposes after the left one (free-running cameras)", -100, 100},
         self.right_late_ms);
-    visitSensor(self, visitor);
+  }
+  template <class Self, class Visitor>
+  static void visitImages(Self& self, Visitor&& visitor) {
     visitor(Field{"jpeg_quality",
                   "images are JPEG of this quality (0: not compressed, -1: the scenario's own)", -1, 100},
             self.jpeg_quality);
@@ -83,6 +97,9 @@ struct ScenarioOptions {
             self.right_gain);
     visitor(Field{"right_gamma", "of the right camera's tone curve, relative to the left one's", 0.2, 5},
             self.right_gamma);
+  }
+  template <class Self, class Visitor>
+  static void visitPatient(Self& self, Visitor&& visitor) {
     visitor(Field{"blinks", "the patient blinks: 1 yes, 0 no, -1: as the scenario says", -1, 1}, self.blinks);
     visitor(
         Field{"hair_sway_mm",
@@ -96,6 +113,9 @@ struct ScenarioOptions {
             self.capture_grimace);
     visitor(Field{"skin_contrast", "scales blotches, freckles and pores of whoever sits there", 0, 3},
             self.skin_contrast);
+  }
+  template <class Self, class Visitor>
+  static void visitColour(Self& self, Visitor&& visitor) {
     visitor(
         Field{"bayer",
               "colour cameras (RGGB mosaic), demosaiced and turned grey: 1 yes, 0 no, -1: as the scenario "
@@ -107,6 +127,9 @@ struct ScenarioOptions {
     visitor(Field{"grey_blue", "share of blue in it", 0, 1}, self.grey_blue);
     visitor(Field{"right_grey_red", "share of red in the right camera's grey", 0, 1}, self.right_grey_red);
     visitor(Field{"right_grey_blue", "share of blue in it", 0, 1}, self.right_grey_blue);
+  }
+  template <class Self, class Visitor>
+  static void visitRig(Self& self, Visitor&& visitor) {
     visitor(Field{"drift_deg", "drift: turn of the right camera from the first frame to the last", 0, 5},
             self.drift_deg);
     visitor(Field{"drift_mm", "drift: its shift, where drift_about is shift", 0, 20}, self.drift_mm);
@@ -121,10 +144,7 @@ struct ScenarioOptions {
             "and 20 deg apart, head at 560 mm), 720p, 1080p (webcams of this size, 62 deg across); empty: as "
             "the scenario says"},
         self.rig_name);
-    RigOptions::visit(self.rig, visitor);
   }
-
- private:
   template <class Self, class Visitor>
   static void visitSensor(Self& self, Visitor&& visitor) {
     visitor(Field{"rolling_ms", "rolling shutter: time from the first row to the last", 0, 100},

@@ -57,6 +57,7 @@ class RigMonitor {
     SquareObservation square;
     double error = 0, variance = 0, count = 0;
   };
+  class Evaluation;
   cameras::StereoRig rig_;
   cameras::RigUncertainty uncertainty_;
   std::map<std::array<int, 3>, Cell> cells_;  // column, row, depth
