@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "facenav/stereo/dense_matcher.h"
-#include "matchers/disparity_search.h"
+#include "paper/disparity_search.h"
 #include "support/dotted_surface.h"
 #include "support/stopwatch.h"
 #include "support/test_data.h"

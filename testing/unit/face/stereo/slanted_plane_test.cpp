@@ -8,8 +8,8 @@
 #include "analytic_scene.h"
 #include "facenav/stereo/dense_matcher.h"
 #include "matchers/disparity_field.h"
-#include "matchers/disparity_search.h"
 #include "matchers/plane_field.h"
+#include "paper/disparity_search.h"
 
 namespace facenav::stereo {
 namespace {

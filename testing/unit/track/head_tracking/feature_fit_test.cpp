@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "features7/feature_fit.h"
+#include "paper/feature_fit.h"
 #include "support/synthetic_face.h"
 
 namespace facenav::head_tracking {

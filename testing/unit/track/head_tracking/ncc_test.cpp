@@ -2,7 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "features7/ncc.h"
+#include "paper/ncc.h"
 #include "support/matchers.h"
 
 namespace facenav::head_tracking {

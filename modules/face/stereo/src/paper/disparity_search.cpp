@@ -6,14 +6,14 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
-#include "kernels/ssd_kernel.h"
+#include "paper/ssd_kernel.h"
 
 namespace facenav::stereo {
 namespace {
 
 constexpr int kNormalisingWindow_px = 15;
-constexpr float kNoise_grey = 2.0f;  // contrast below this is noise and is not stretched
-constexpr float kLevels_per_sigma = 9.0f;
+constexpr float kFlatness_grey = 2.0f;  // contrast below this is noise and is not stretched
+constexpr float kLevelsPerSigma = 9.0f;
 constexpr int kMiddle = 32, kHighest = 63,
               kInvalid = 255;  // largest difference to every valid level, for invalid right pixels
 constexpr int kUniqueness_256 = 10;
@@ -34,7 +34,7 @@ cv::Mat normalise(const cv::Mat& image, const cv::Mat& mask, int invalid) {
       for (int x = 0; x < image.cols; ++x) {
         const float sigma = std::sqrt(std::max(s[x] - m[x] * m[x], 0.0f));
         const float level =
-            float(kMiddle) + 0.5f + kLevels_per_sigma * (in[x] - m[x]) / (sigma + kNoise_grey);
+            float(kMiddle) + 0.5f + kLevelsPerSigma * (in[x] - m[x]) / (sigma + kFlatness_grey);
         out[x] = is_valid[x] ? std::uint8_t(std::clamp(level, 0.0f, float(kHighest))) : std::uint8_t(invalid);
       }
     }

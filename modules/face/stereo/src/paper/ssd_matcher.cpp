@@ -4,12 +4,12 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "disparity_filter.h"
 #include "disparity_search.h"
 #include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
-#include "kernels/subpixel_kernel.h"
-#include "matchers.h"
+#include "matchers/disparity_filter.h"
+#include "matchers/matchers.h"
+#include "paper/subpixel_kernel.h"
 
 namespace facenav::stereo {
 namespace {

@@ -50,6 +50,8 @@ bool areRigid(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen:
   return true;
 }
 
+// Section 4, equation 2: the motion (R, t) that minimises the weighted distances of the pairs, in closed
+// form.
 Eigen::Isometry3d fit(const std::vector<Eigen::Vector3d>& reference_mm,
                       const std::vector<Triangulated>& points) {
   std::vector<Eigen::Vector3d> from, to;
