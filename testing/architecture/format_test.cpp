@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 bool isSource(const fs::path& path) {
   const auto extension = path.extension();
-  return extension == ".h" || extension == ".cpp" || extension == ".cu";
+  return extension == ".h" || extension == ".cpp";
 }
 
 std::vector<std::string> sources() {

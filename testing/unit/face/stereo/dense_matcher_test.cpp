@@ -163,27 +163,6 @@ TEST(FieldMatcher, AHoleIsGrownOverFromItsSides) {
   EXPECT_GT(inHole(6), 0.95);
 }
 
-TEST(FieldMatcher, GpuAgreesWithTheProcessor) {
-  const auto names = denseMatcherNames();
-  if (std::find(names.begin(), names.end(), "field_cuda") == names.end()) {
-    EXPECT_THROW(makeDenseMatcher("field_cuda"), facenav::Error);
-    GTEST_SKIP()
-        << "no NVIDIA GPU answers, or FaceNav was built without FACENAV_CUDA: the GPU was not tested";
-  }
-  const auto surface = dotted();
-  MatchOptions options;
-  options.steps = 3;
-  const DisparityMap gpu = match(surface, options, "field_cuda"), processor = match(surface, options);
-  int differ = 0, both = 0;
-  for (int i = 0; i < int(gpu.disparity_px.total()); ++i) {
-    const float a = gpu.disparity_px.ptr<float>()[i], b = processor.disparity_px.ptr<float>()[i];
-    differ += std::isnan(a) != std::isnan(b) || std::abs(a - b) > 0.02f;
-    both += !std::isnan(a) && !std::isnan(b);
-  }
-  EXPECT_GT(both, 0.7 * gpu.disparity_px.total());
-  EXPECT_LT(differ, both / 1000);
-}
-
 TEST(FieldMatcher, APredictedSurfaceNeedsNoSearch) {
   const auto surface = dotted();
   MatchOptions options;

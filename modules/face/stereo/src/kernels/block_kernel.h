@@ -36,7 +36,6 @@ struct Kernel {
   /// Sums of grey levels and of their squares over the cells of 4 x 4 pixels in four rows. `width`: a
   /// multiple of 4. `columns`: 2 * width floats of scratch memory.
   void (*cell_sums)(const float* rows, int stride, int width, float* columns, float* sums, float* squares);
-  bool needs_one_strip = false;  // true if all rows must be done at once
 };
 
 /// Bytes of scratch memory that `search` needs.

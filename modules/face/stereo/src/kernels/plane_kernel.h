@@ -61,7 +61,6 @@ struct Kernel {
                   const float* disparity, const Output&);
   /// Symmetric filter of a row, kSplineRadius elements readable beyond both ends, kMiddle_grey subtracted.
   void (*spline_row)(const float* row, const float* weights, int width, float* out);
-  bool needs_one_strip = false;  // true if all rows must be done at once
 };
 
 Kernel baseKernel();

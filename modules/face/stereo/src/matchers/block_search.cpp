@@ -77,7 +77,7 @@ cv::Mat agreeingBlocks(const Rectification& rectification, const RectifiedPair& 
   Images images{left.data, right.data + lead, int(left.step), int(right.step), columns, rows,
                 width,     disparities};
   cv::Mat found(rows, columns, CV_32F);
-  const int strips = kernel.needs_one_strip ? 1 : stripsFor(rows);
+  const int strips = stripsFor(rows);
   parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<std::uint16_t> scratch(std::size_t(scratchSize(columns, disparities)) / 2 + 1);
     for (int i = begin; i < end; ++i)

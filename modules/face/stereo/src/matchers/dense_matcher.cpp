@@ -5,11 +5,7 @@
 
 namespace facenav::stereo {
 
-std::vector<std::string> denseMatcherNames() {
-  std::vector<std::string> names{kDefaultMatcher, "ssd", "sgm"};
-  if (hasCudaMatcher()) names.push_back("field_cuda");
-  return names;
-}
+std::vector<std::string> denseMatcherNames() { return {kDefaultMatcher, "ssd", "sgm"}; }
 
 std::string denseMatcherList() {
   std::string list;
@@ -19,7 +15,6 @@ std::string denseMatcherList() {
 
 std::unique_ptr<DenseMatcher> makeDenseMatcher(const std::string& name) {
   if (name == kDefaultMatcher) return makeFieldMatcher();
-  if (name == "field_cuda") return makeCudaFieldMatcher();
   if (name == "ssd") return makeSsdMatcher();
   if (name == "sgm") return makeSgmMatcher();
   throw Error("unknown dense matcher '" + name + "'", {}, "choose one of: " + denseMatcherList());

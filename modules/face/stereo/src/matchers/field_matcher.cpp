@@ -2,12 +2,8 @@
 
 #include "block_search.h"
 #include "disparity_field.h"
-#include "facenav/core/error.h"
 #include "matchers.h"
 #include "plane_field.h"
-#ifdef FACENAV_CUDA
-#include "cuda/field_cuda.h"
-#endif
 
 namespace facenav::stereo {
 namespace {
@@ -17,14 +13,11 @@ constexpr double kDetailWindow_px = 2.5,
 
 class FieldMatcher : public DenseMatcher {
  public:
-  FieldMatcher(const block::Kernel& search, const planes::Kernel& fit) : search_(search), fit_(fit) {}
-
   DisparityMap match(const Rectification& rectification, const RectifiedPair& pair,
                      const MatchOptions& options) const override {
     const MatchImages images(rectification, pair);
-    PlaneField planes(images, fit_);
-    planes.start(options.predicted_px.empty() ? searchBlocks(rectification, pair, search_)
-                                              : options.predicted_px);
+    PlaneField planes(images);
+    planes.start(options.predicted_px.empty() ? searchBlocks(rectification, pair) : options.predicted_px);
     for (int i = 0; i < options.steps; ++i) planes.step(options.window_sigma_px);
     for (int i = 0; i < options.growths; ++i) planes.grow(options.window_sigma_px, options);
     if (!options.details) return planes.map(options);
@@ -37,32 +30,10 @@ class FieldMatcher : public DenseMatcher {
   }
 
   bool startsFromPrediction() const override { return true; }
-
- private:
-  block::Kernel search_;
-  planes::Kernel fit_;
 };
 
 }  // namespace
 
-std::unique_ptr<DenseMatcher> makeFieldMatcher() {
-  return std::make_unique<FieldMatcher>(block::kernel(), planes::kernel());
-}
-
-#ifdef FACENAV_CUDA
-bool hasCudaMatcher() { return cuda::hasDevice(); }
-
-std::unique_ptr<DenseMatcher> makeCudaFieldMatcher() {
-  if (!cuda::hasDevice()) throw Error("no CUDA device answers", {}, "use the matcher 'field'");
-  return std::make_unique<FieldMatcher>(cuda::blockKernel(block::kernel()),
-                                        cuda::planeKernel(planes::kernel()));
-}
-#else
-bool hasCudaMatcher() { return false; }
-
-std::unique_ptr<DenseMatcher> makeCudaFieldMatcher() {
-  throw Error("this FaceNav was built without CUDA", {}, "use the matcher 'field'");
-}
-#endif
+std::unique_ptr<DenseMatcher> makeFieldMatcher() { return std::make_unique<FieldMatcher>(); }
 
 }  // namespace facenav::stereo

@@ -8,9 +8,6 @@
 namespace facenav::stereo {
 
 std::unique_ptr<DenseMatcher> makeFieldMatcher();
-/// Makes "field" on an NVIDIA GPU. Throws Error without a device or in a build without CUDA.
-std::unique_ptr<DenseMatcher> makeCudaFieldMatcher();
-bool hasCudaMatcher();
 std::unique_ptr<DenseMatcher> makeSsdMatcher();
 std::unique_ptr<DenseMatcher> makeSgmMatcher();
 

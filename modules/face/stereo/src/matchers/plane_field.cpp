@@ -93,7 +93,7 @@ void PlaneField::run(double window_sigma_px, bool is_fit) {
   const planes::Window window = windowOf(window_sigma_px);
   const planes::Field from = now_.view(), to = next_.view();
   // The number of strips does not change a strip's result, so there are as many as threads.
-  const int strips = kernel_.needs_one_strip ? 1 : stripsFor(from.rows);
+  const int strips = stripsFor(from.rows);
   parallelRanges(0, strips, [&](int begin, int end) {
     std::vector<float> scratch(std::size_t(planes::scratchSize(from.columns)));
     for (int i = begin; i < end; ++i)

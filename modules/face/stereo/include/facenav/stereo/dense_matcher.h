@@ -1,15 +1,14 @@
 #pragma once
 // DenseMatcher: rectified pair -> disparity of each left pixel.
-//   field       the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities. Then a
-//               grid of planes is fitted to the whole image at once by Gauss-Newton, with gain, offset and
-//               slopes. Without slopes a cheek at 45 degrees is off by tenths of a pixel. Gain and offset
-//               model that the cameras see the skin from different sides. `details` sharpens creases.
-//   field_cuda  "field" on an NVIDIA GPU, if FaceNav was built with FACENAV_CUDA.
-//   ssd         the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel. Kept for
-//               comparison. Needs projected dots.
-//   sgm         semi-global matching of census costs. It finds weakly textured and half hidden places, but is
-//               an order less exact: the start of "field" on plain skin. Holes are filled from the
-//               background with a deviation of 1 px; `largest_sigma_px` decides whether they are kept.
+//   field  the default. Blocks of 4 x 4 pixels are searched at whole pixels over all disparities. Then a grid
+//          of planes is fitted to the whole image at once by Gauss-Newton, with gain, offset and slopes.
+//          Without slopes a cheek seen at 45 degrees is off by tenths of a pixel. Gain and offset absorb that
+//          the cameras see the skin from different sides. `details` sharpens creases.
+//   ssd    the paper's method (section 7.1: 11 x 11 SSD) made sub-pixel by a fit at each pixel; to compare.
+//          Needs projected dots.
+//   sgm    semi-global matching of census costs. It finds weakly textured and half hidden places, but is an
+//          order less exact: the start of "field" on plain skin. Holes are filled from the background, with a
+//          stated deviation of 1 px; `largest_sigma_px` decides whether they are kept.
 
 #include <memory>
 #include <opencv2/core.hpp>

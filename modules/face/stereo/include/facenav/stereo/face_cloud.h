@@ -57,9 +57,9 @@ struct FaceCloudOptions {
   /// pose: at most about 4 px apart in the image, correct to half a pixel of disparity. They replace the
   /// search, which takes two thirds of the time. If the face has moved by more, few points or none are found.
   std::shared_ptr<const PointCloud<Camera>> expected;
-  MatchOptions match = skinOptions();  // acceptance limits
-  /// False for plain skin: "sgm" finds the surface first, and the points have an additional error. Only for
-  /// "field" and "field_cuda".
+  MatchOptions match = skinOptions();  // limits of what is accepted
+  /// False: plain skin. "sgm" finds the surface first, and points are off by more than the match predicts.
+  /// "field" only.
   bool has_dots = true;
 };
 
@@ -67,7 +67,7 @@ struct FaceCloudOptions {
 inline FaceCloudOptions dottedFaceOptions(const std::string& matcher) {
   FaceCloudOptions options;
   options.matcher = matcher;
-  if (matcher.rfind("field", 0) != 0) options.match = MatchOptions();
+  if (matcher != kDefaultMatcher) options.match = MatchOptions();
   return options;
 }
 
