@@ -1,18 +1,16 @@
 #include "facenav/sounds/sound_player.h"
 
-#include <fcntl.h>
-#include <pthread.h>
-#include <unistd.h>
+#ifdef FACENAV_HAS_ALSA
+#include <alsa/asoundlib.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
 #include <condition_variable>
-#include <csignal>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/timestamp.h"
@@ -22,92 +20,76 @@ namespace {
 
 constexpr std::size_t kChunk = kSamplesPerSecond / 100;
 constexpr std::chrono::milliseconds kChunkTime(10);
-constexpr double kAhead_s = 0.05;  // sent this early, against gaps; more would delay tones
-constexpr int kPipe_bytes = 8192;
+constexpr double kAhead_s = 0.05;  // sent before it is heard, against gaps; more would delay tones
 
-/// A player that reads from a pipe. Throws Error if it is not installed.
-class Stream {
+#ifdef FACENAV_HAS_ALSA
+void beSilent(const char*, int, const char*, int, const char*, ...) {}
+
+/// An open output of the machine. Throws Error if it cannot be opened.
+class Output {
  public:
-  explicit Stream(PlayCommand command) {
-    int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw Error("no pipe can be made", command[0], "close other programs");
-    input_ = ends[1];
-    ::fcntl(ends[0], F_SETFD, 0);  // the player inherits the reading end
-    ::fcntl(input_, F_SETFL, O_NONBLOCK);
-    ::fcntl(input_, F_SETPIPE_SZ, kPipe_bytes);
-    for (auto& word : command)
-      if (word == "%") word = "/dev/fd/" + std::to_string(ends[0]);
-    ChildOptions options;
-    options.output = ChildOptions::Output::nowhere;
-    options.ends_with_parent = options.ignores_terminal = true;
-    try {
-      child_.emplace(ChildProcess::start(command, options));
-    } catch (const Error&) {
-      ::close(ends[0]);
-      ::close(input_);
-      throw;
-    }
-    ::close(ends[0]);
+  explicit Output(const std::string& device) {
+    constexpr unsigned kBuffer_us = 80000;
+    snd_lib_error_set_handler(beSilent);  // its own words would go to the terminal
+    const int fault = snd_pcm_open(&pcm_, device.c_str(), SND_PCM_STREAM_PLAYBACK, SND_PCM_NONBLOCK);
+    if (fault == -EBUSY) throw Error("the sound output is in use by another program", device);
+    if (fault < 0) throw Error("this machine has no sound output", device);
+    if (snd_pcm_set_params(pcm_, SND_PCM_FORMAT_S16_LE, SND_PCM_ACCESS_RW_INTERLEAVED, 1, kSamplesPerSecond,
+                           1, kBuffer_us) >= 0)
+      return;
+    snd_pcm_close(pcm_);
+    throw Error("the sound output cannot play 16-bit samples", device);
   }
-  ~Stream() {
-    ::close(input_);
-    child_->end(std::chrono::milliseconds(500));
-  }
+  ~Output() { snd_pcm_close(pcm_); }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
 
-  enum class Sent { all, later, broken };
-  Sent send(const std::int16_t* samples, std::size_t count) const {
-    const ssize_t size = ::write(input_, samples, 2 * count);  // whole or not at all: below PIPE_BUF
-    if (size == ssize_t(2 * count)) return Sent::all;
-    return size < 0 && (errno == EAGAIN || errno == EINTR) ? Sent::later : Sent::broken;
+  /// How many of the samples it took. Empty: it has gone.
+  std::optional<std::size_t> send(const std::int16_t* samples, std::size_t count) const {
+    const auto taken = snd_pcm_writei(pcm_, samples, count);
+    if (taken >= 0) return std::size_t(taken);
+    if (taken != -EAGAIN && snd_pcm_recover(pcm_, int(taken), 1) < 0) return std::nullopt;
+    return 0;
   }
 
  private:
-  int input_ = -1;
-  std::optional<ChildProcess> child_;
+  snd_pcm_t* pcm_ = nullptr;
 };
+#else
+struct Output {
+  explicit Output(const std::string& device) { throw Error("FaceNav was built without ALSA", device); }
+  std::optional<std::size_t> send(const std::int16_t*, std::size_t) const { return std::nullopt; }
+};
+#endif
 
 }  // namespace
 
-std::vector<PlayCommand> usualPlayers() {
-  const std::string rate = std::to_string(kSamplesPerSecond);
-  return {{"paplay", "--raw", "--rate=" + rate, "--format=s16le", "--channels=1", "--latency-msec=60", "%"},
-          {"aplay", "-q", "-t", "raw", "-f", "S16_LE", "-r", rate, "-c", "1", "--buffer-time=80000", "%"}};
-}
-
 struct SoundPlayer::Implementation {
-  std::vector<PlayCommand> players;
+  std::string device;
   mutable std::mutex mutex;  // guards the members below
   std::condition_variable changed;
   double volume = 0.5;
   bool is_muted = false, is_stopping = false;
   std::optional<Tone> asked;
-  Tone playing = Tone::lost;
   std::string failure;
   std::thread thread;
 
   void run();
-  bool feed(const Stream& stream);
+  bool feed(const Output& output);
   std::optional<std::vector<std::int16_t>> takeAsked();
-  void askAgain();
 };
 
 /// Returns the samples of a newly requested tone.
 std::optional<std::vector<std::int16_t>> SoundPlayer::Implementation::takeAsked() {
   const std::lock_guard lock(mutex);
   if (!asked) return std::nullopt;
-  playing = *asked;
+  const Tone tone = *asked;
   asked.reset();
-  return samplesOf(playing, is_muted ? 0.0 : volume);
+  return samplesOf(tone, is_muted ? 0.0 : volume);
 }
 
-/// Requests the tone again, because the player ended before it was over.
-void SoundPlayer::Implementation::askAgain() {
-  const std::lock_guard lock(mutex);
-  if (!asked) asked = playing;
-}
-
-/// Sends silence, and tones on request, in real time. Returns false if the player has ended.
-bool SoundPlayer::Implementation::feed(const Stream& stream) {
+/// Silence, and tones when asked for, in real time. False: the output has gone.
+bool SoundPlayer::Implementation::feed(const Output& output) {
   std::vector<std::int16_t> tone, chunk(kChunk);
   std::size_t next = 0;
   Timestamp started = Timestamp::now();
@@ -122,44 +104,33 @@ bool SoundPlayer::Implementation::feed(const Stream& stream) {
     if (late_s > 1.0) started.s += late_s;  // the machine slept: skip the missed time
     if (late_s < -kAhead_s) continue;
     for (std::size_t i = 0; i < kChunk; ++i) chunk[i] = next + i < tone.size() ? tone[next + i] : 0;
-    const auto sent = stream.send(chunk.data(), chunk.size());
-    if (sent == Stream::Sent::broken) {
-      if (next < tone.size()) askAgain();
-      return false;
-    }
-    if (sent == Stream::Sent::later) {
-      std::this_thread::sleep_for(kChunkTime);
-      continue;
-    }
-    next = std::min(tone.size(), next + kChunk);
-    sent_s += double(kChunk) / kSamplesPerSecond;
+    const auto sent = output.send(chunk.data(), chunk.size());
+    if (!sent) return false;
+    if (*sent == 0) std::this_thread::sleep_for(kChunkTime);
+    next = std::min(tone.size(), next + *sent);
+    sent_s += double(*sent) / kSamplesPerSecond;
   }
 }
 
 void SoundPlayer::Implementation::run() {
-  sigset_t broken_pipe;  // a player that ended is noticed by write(), not by a signal that ends this program
-  sigemptyset(&broken_pipe);
-  sigaddset(&broken_pipe, SIGPIPE);
-  ::pthread_sigmask(SIG_BLOCK, &broken_pipe, nullptr);
   {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return is_stopping || asked.has_value(); });
     if (is_stopping) return;
   }
-  for (const PlayCommand& player : players) {
-    try {
-      if (feed(Stream(player))) return;
-    } catch (const std::exception&) {  // not installed: the next one
-    }
+  std::string why = "the sound output has gone";
+  try {
+    if (feed(Output(device))) return;
+  } catch (const std::exception& error) {
+    why = error.what();
   }
   const std::lock_guard lock(mutex);
-  failure = "no sound: no player works on this machine (paplay, aplay)";
+  failure = "no sound: " + why;
   logWarning(failure);
 }
 
-SoundPlayer::SoundPlayer(std::vector<PlayCommand> players)
-    : implementation_(std::make_unique<Implementation>()) {
-  implementation_->players = std::move(players);
+SoundPlayer::SoundPlayer(std::string device) : implementation_(std::make_unique<Implementation>()) {
+  implementation_->device = std::move(device);
   implementation_->thread = std::thread([i = implementation_.get()] { i->run(); });
 }
 

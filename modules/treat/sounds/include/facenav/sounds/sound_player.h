@@ -1,26 +1,19 @@
 #pragma once
-// SoundPlayer: plays tones through a program of the machine (paplay, else aplay), on its own thread. One
-// child process gets a continuous stream, so that a tone starts no program. If no program works, the player
-// is silent and reports it once.
+// SoundPlayer: plays tones through the machine's sound output (ALSA), on its own thread. The output gets a
+// continuous stream, so that none of a tone is lost while it wakes up. Where there is none, it is silent and
+// says so once.
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "facenav/sounds/tones.h"
 
 namespace facenav::sounds {
 
-/// Command of a player: a program and its arguments. "%" is replaced by the path of the raw samples (16 bit,
-/// little-endian, mono, kSamplesPerSecond).
-using PlayCommand = std::vector<std::string>;
-/// Default players: paplay, then aplay.
-std::vector<PlayCommand> usualPlayers();
-
 class SoundPlayer {
  public:
-  /// Builds a player that uses the first of `players` that works. Nothing starts before the first tone.
-  explicit SoundPlayer(std::vector<PlayCommand> players = usualPlayers());
+  /// `device`: ALSA's name of the output. It is opened at the first tone.
+  explicit SoundPlayer(std::string device = "default");
   ~SoundPlayer();
   SoundPlayer(const SoundPlayer&) = delete;
   SoundPlayer& operator=(const SoundPlayer&) = delete;
