@@ -5,6 +5,7 @@
 #include <gdcmJPEG2000Codec.h>
 #include <gdcmJPEGCodec.h>
 #include <gdcmJPEGLSCodec.h>
+#include <gdcmRLECodec.h>
 #include <gdcmSequenceOfFragments.h>
 #include <gdcmTransferSyntax.h>
 
@@ -135,7 +136,7 @@ std::string voxelProblem(const SliceHeader& header) {
 
 bool usesForeignCodec(const SliceHeader& header) {
   const Coding coding = codingOf(header.layout.transfer_syntax);
-  return coding == Coding::jpeg || coding == Coding::jpeg_ls || coding == Coding::jpeg_2000;
+  return coding != Coding::native && coding != Coding::unknown;
 }
 
 void PixelDecoder::refuse(const std::string& what) const {
@@ -204,25 +205,26 @@ PixelDecoder::Raw PixelDecoder::raw(int frame, std::string& scratch) const {
   const std::string stream = frameStream(frame);
   const std::size_t voxels = std::size_t(v.rows) * v.columns;
   const Coding coding = codingOf(header_.layout.transfer_syntax);
-  if (coding == Coding::rle) {
-    scratch = unpackRle(stream, voxels, raw.bits / 8);
-  } else {
+  if (coding != Coding::rle) {  // whose stream does not state a size
     const auto size = coding == Coding::jpeg_2000 ? jpeg2000Size(stream) : jpegSize(stream);
     if (!size || size->width != v.columns || size->height != v.rows || size->components != 1)
       refuse("compressed pixel data is damaged or of another size than its header says");
-    const std::string& syntax = header_.layout.transfer_syntax;
-    const auto decompressed = [&]() -> std::string {
-      gdcm::JPEGCodec jpeg;
-      gdcm::JPEGLSCodec jpeg_ls;
-      gdcm::JPEG2000Codec jpeg_2000;
-      if (coding == Coding::jpeg) return decompress(jpeg, v, syntax, stream);
-      if (coding == Coding::jpeg_ls) return decompress(jpeg_ls, v, syntax, stream);
-      return decompress(jpeg_2000, v, syntax, stream);
-    };
-    constexpr std::size_t kWidestVoxel = 4;
-    scratch = isolation_ == Isolation::each_image ? runIsolated(decompressed, voxels * kWidestVoxel)
-                                                  : decompressed();
   }
+  const std::string& syntax = header_.layout.transfer_syntax;
+  const auto decompressed = [&]() -> std::string {
+    gdcm::JPEGCodec jpeg;
+    gdcm::JPEGLSCodec jpeg_ls;
+    gdcm::JPEG2000Codec jpeg_2000;
+    gdcm::RLECodec rle;
+    rle.SetBufferLength(imageBytes());
+    if (coding == Coding::jpeg) return decompress(jpeg, v, syntax, stream);
+    if (coding == Coding::jpeg_ls) return decompress(jpeg_ls, v, syntax, stream);
+    if (coding == Coding::rle) return decompress(rle, v, syntax, stream);
+    return decompress(jpeg_2000, v, syntax, stream);
+  };
+  constexpr std::size_t kWidestVoxel = 4;
+  scratch =
+      isolation_ == Isolation::each_image ? runIsolated(decompressed, voxels * kWidestVoxel) : decompressed();
   for (const int bits : {8, 16, 32})
     if (scratch.size() / voxels == std::size_t(bits / 8)) raw.bits = bits;
   if (scratch.size() < voxels * (raw.bits / 8)) refuse("compressed pixel data is damaged");
@@ -255,29 +257,6 @@ std::vector<float> PixelDecoder::image(int frame) const {
   std::string scratch;
   decode(frame, values.data(), scratch);
   return values;
-}
-
-std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel) {
-  constexpr std::size_t kHeader = 64;
-  if (stream.size() < kHeader || load<std::uint32_t>(stream.data(), false) != std::uint32_t(bytes_per_voxel))
-    return {};
-  if (voxels > stream.size() * 64) return {};  // two bytes give 128 at most
-  std::string out(voxels * bytes_per_voxel, '\0');
-  for (int segment = 0; segment < bytes_per_voxel; ++segment) {
-    std::size_t at = load<std::uint32_t>(stream.data() + 4 + 4 * segment, false), filled = 0;
-    const int byte = bytes_per_voxel - 1 - segment;  // most significant byte first
-    while (filled < voxels) {
-      if (at + 1 >= stream.size()) return {};
-      const int code = static_cast<signed char>(stream[at++]);
-      if (code == -128) continue;
-      const std::size_t run = std::min<std::size_t>(code >= 0 ? code + 1 : 1 - code, voxels - filled);
-      if (code >= 0 && at + run > stream.size()) return {};
-      for (std::size_t i = 0; i < run; ++i)
-        out[(filled++) * bytes_per_voxel + byte] = stream[code >= 0 ? at + i : at];
-      at += code >= 0 ? std::size_t(code) + 1 : 1;
-    }
-  }
-  return out;
 }
 
 }  // namespace facenav::dicom

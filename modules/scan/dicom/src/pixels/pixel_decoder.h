@@ -1,7 +1,6 @@
 #pragma once
-// PixelDecoder: the rescaled values of one file's images. Native data are read from the bytes directly. RLE
-// is unpacked here (PS3.5 annex G). JPEG, JPEG-LS and JPEG 2000 are decoded by GDCM's codecs, one frame at a
-// time.
+// PixelDecoder: the rescaled values of one file's images. Native data are read from the bytes directly. RLE,
+// JPEG, JPEG-LS and JPEG 2000 are decoded by GDCM's codecs, one frame at a time.
 
 #include <vector>
 
@@ -42,9 +41,7 @@ class PixelDecoder {
 
 /// Reason, from the header alone, why the voxels of this file cannot be read; empty if they can.
 std::string voxelProblem(const SliceHeader& header);
-/// True if the voxels are compressed in a form that only GDCM's codecs read.
+/// True if the voxels are compressed: GDCM's codecs read them.
 bool usesForeignCodec(const SliceHeader& header);
-/// Unpacks the frame of `stream` into little-endian voxels of `bytes_per_voxel`; empty if it is damaged.
-std::string unpackRle(std::string_view stream, std::size_t voxels, int bytes_per_voxel);
 
 }  // namespace facenav::dicom
