@@ -120,7 +120,7 @@ class CaseStore {
 
   const std::filesystem::path& folder() const { return folder_; }
   /// True unless the case contains a measured face instead of an MRI; without an MRI, mri(), headMask() and
-  /// whatever needs them then throw Error.
+  /// whatever needs them throw Error.
   bool hasMri() const;
   std::string caseId() const;
   /// Label of the case; empty unless someone set it. It may be a patient's name.
