@@ -28,7 +28,7 @@ class GroupLock {
   ~GroupLock();
   GroupLock(const GroupLock&) = delete;
   GroupLock& operator=(const GroupLock&) = delete;
-  /// False if another group has the lock, or the file system has no locks.
+  /// True if this group has the lock; false also if the file system has no locks.
   bool isHeld() const { return is_held_; }
 
  private:

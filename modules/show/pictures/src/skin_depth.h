@@ -20,7 +20,7 @@ class SkinDepth {
   /// Vertex `i` in the lens's frame (mm) and its pixel (NaN: behind the lens or far outside the picture).
   const Eigen::Vector3d& point_mm(std::size_t i) const { return points_mm_[i]; }
   const Eigen::Vector2d& pixel(std::size_t i) const { return pixels_[i]; }
-  /// False if other skin is in front of the point by more than `slack_mm`; true outside the picture.
+  /// True unless other skin is in front of the point by more than `slack_mm`; true outside the picture.
   bool isOpen(const Eigen::Vector2d& pixel, double depth_mm, double slack_mm) const;
 
  private:

@@ -12,7 +12,7 @@ namespace facenav::steps {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the head tracker starts from, and the head's pose at that time.
+/// Start of the head tracker, and the head's pose at that time.
 struct Start {
   head_tracking::HeadReference reference;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri;

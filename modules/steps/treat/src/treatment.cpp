@@ -234,7 +234,7 @@ void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
   noteOtherCoil();
 }
 
-/// Logs the tracked coil when it changes, because a pose is right only for the coil that it was found with.
+/// Logs a caution if the target's pose is an expert's with another coil: it is right only for that coil.
 void Treatment::noteOtherCoil() {
   if (!target_) return;
   if (const auto caution = otherCoilCaution(*target_, coil_.name)) log_->addEvent("other coil", *caution);

@@ -53,7 +53,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path);
 /// alignment_judged_wrong.json and alignment_capture_judged_wrong. Does nothing without an alignment.
 void setAlignmentAside(const std::filesystem::path& case_folder);
 
-/// What prepare produced. Brain parts are absent where no brain can be modelled.
+/// Result of prepare. Brain parts are absent where no brain can be modelled.
 struct PreparedCase {
   volume::Volume mri;
   volume::Mask head_mask;
@@ -119,8 +119,8 @@ class CaseStore {
                                   const std::vector<Provenance>& provenance, bool replace);
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// False if the case contains a measured face instead of an MRI; mri(), headMask() and whatever needs them
-  /// then throw Error.
+  /// True unless the case contains a measured face instead of an MRI; without an MRI, mri(), headMask() and
+  /// whatever needs them throw Error.
   bool hasMri() const;
   std::string caseId() const;
   /// Label of the case; empty unless someone set it. It may be a patient's name.

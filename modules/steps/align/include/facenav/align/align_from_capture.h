@@ -66,7 +66,7 @@ class NotMeasured : public Error {
   using Error::Error;
 };
 
-/// What every alignment needs besides the pictures. `field_file`: file of the scalp's distance field
+/// Inputs of every alignment besides the pictures. `field_file`: file of the scalp's distance field
 /// (casefile::CaseStore::scalpField()); made if missing. `matcher`: one of stereo::denseMatcherNames(), for
 /// pictures with dots. `coil`: the one that will be held at the targets. `coil_tracker`: searches the
 /// pictures for its marker; empty: no search.

@@ -26,7 +26,7 @@ constexpr const char* kSizeUnknown =
     "or "
     "measure the face again with the marker beside it";
 
-/// False if the cameras' time stamps show that the two pictures were taken at different moments.
+/// True unless the cameras' time stamps show that the two pictures were taken at different moments.
 bool isOfOneMoment(const cameras::StereoFrame& pair);
 
 /// The coil's marker in a still pair.
@@ -54,7 +54,7 @@ class RestingMarker {
   const std::optional<health::SquareObservation>& last() const { return last_; }
   /// True if, in the last frame, each camera sees a marker but together they do not fit calibration and size.
   bool isContradicted() const { return is_contradicted_; }
-  /// How long it has rested, by the frames' times; 0 while it moves or is not seen.
+  /// Duration of its rest, by the frames' times; 0 while it moves or is not seen.
   double rested_s() const { return rests_since_s_ ? last_s_ - *rests_since_s_ : 0.0; }
   /// Mean over all frames in which it rested; nothing if those are too few.
   std::optional<health::ScaleObservation> length() const;

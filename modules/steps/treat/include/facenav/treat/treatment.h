@@ -78,7 +78,7 @@ struct CameraTurnover {
   std::function<std::unique_ptr<capture::FrameSource>()> open;
   std::shared_ptr<const void> preview;  // keeps the cameras open until the treatment opens them
 };
-/// As above for a window: with its navigator, and its cameras or the request's recording.
+/// Opens everything for a window: with its navigator, and its cameras or the request's recording.
 std::shared_ptr<PreparedTreatment> prepareTreatment(
     const TreatmentRequest& request,
     const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,

@@ -54,7 +54,7 @@ GuidanceValues evaluate(const Target& target, const RigidTransform<Mri, Coil>& m
 GuidanceState evaluate(const Target& target, const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri,
                        const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil, const Tolerance& tolerance,
                        double predicted_error_mm);
-/// As above, with hysteresis; `previous` is the state of the previous frame.
+/// Computes state and instruction with hysteresis; `previous` is the state of the previous frame.
 GuidanceState evaluate(const Target& target, const Tracked<RigidTransform<Camera, Mri>>& camera_T_mri,
                        const Tracked<RigidTransform<Camera, Coil>>& camera_T_coil, const Tolerance& tolerance,
                        double predicted_error_mm, const GuidanceState& previous,
