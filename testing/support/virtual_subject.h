@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace facenav::stimulation {
+namespace facenav::testing {
 
 struct VirtualSubject {
   double plateau = 0, half = 0, steepness = 0, onset_pct = 0;  // of the recruitment curve; plateau in decades
@@ -32,4 +32,4 @@ double responseProbability(const VirtualSubject& subject, double intensity_pct, 
 /// The intensity at which it is one half, %.
 double trueThreshold_pct(const VirtualSubject& subject, double criterion_uv = 50);
 
-}  // namespace facenav::stimulation
+}  // namespace facenav::testing
