@@ -10,9 +10,9 @@
 #include <opencv2/videoio.hpp>
 
 #include "facenav/core/whole_file.h"
+#include "facenav/display/navigation_display.h"
 #include "facenav/evaluation/cross_section.h"
 #include "facenav/pictures/camera_overlay.h"
-#include "facenav/scene/navigation_display.h"
 #include "facenav/scene/png.h"
 
 namespace facenav::app {
@@ -21,12 +21,13 @@ namespace {
 
 constexpr int kVideoStep = 3;  // every third frame: 20 per second of a 60 fps recording
 
-scene::StatusWords statusOf(const char* what, bool is_tracked) {
+display::StatusWords statusOf(const char* what, bool is_tracked) {
   return {std::string(what) + (is_tracked ? " tracked" : " LOST"),
-          is_tracked ? scene::StatusLevel::good : scene::StatusLevel::lost};
+          is_tracked ? display::StatusLevel::good : display::StatusLevel::lost};
 }
 
-scene::NavigationDisplayContent contentOf(const PictureInput& input, const session::NavigationState& state) {
+display::NavigationDisplayContent contentOf(const PictureInput& input,
+                                            const session::NavigationState& state) {
   auto overlay = pictures::drawOverlay(input.rig, state, input.target);
   char timing[96];
   std::snprintf(timing, sizeof timing, "frame %ld   %.2f s   %.1f ms", long(state.frame), state.captured.s,
@@ -128,7 +129,7 @@ std::vector<evaluation::ReportFigure> drawNavigation(const PictureInput& input, 
   setUp(scene, input);
   std::vector<evaluation::ReportFigure> figures;
   const auto brain = drawBrain(scene, folder);
-  scene::NavigationDisplay display(scene);
+  display::NavigationDisplay display(scene);
   Video video(folder, {1280, 720});
   const std::size_t n = input.states.size();
   const std::array<std::size_t, 3> stills{0, n / 2 / kVideoStep * kVideoStep,

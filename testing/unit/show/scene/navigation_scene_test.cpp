@@ -6,7 +6,6 @@
 
 #include "facenav/scene/bulls_eye.h"
 #include "facenav/scene/display.h"
-#include "facenav/scene/navigation_display.h"
 #include "facenav/scene/palette.h"
 #include "support/ball_mesh.h"
 
@@ -133,22 +132,6 @@ TEST_F(NavigationSceneTest, PickReturnsThePointUnderTheMouseInMri) {
   EXPECT_NEAR(pick->point.mm.norm(), 100.0, 0.5);
   EXPECT_GT(pick->point.mm.y(), 98.0);
   EXPECT_FALSE(scene_->pick(2, 298).has_value());
-}
-
-TEST_F(NavigationSceneTest, DisplayBlanksTheFiguresWhenLost) {
-  FACENAV_NEEDS_DISPLAY();
-  prepare();
-  NavigationDisplay display(*scene_, 640, 360);
-  NavigationDisplayContent content;
-  content.guidance.state = guidance::State::lost;
-  content.guidance.values =  // set, but must not be drawn
-      guidance::evaluate(topTarget(), topTarget().mri_T_target.reframe<Mri, Coil>());
-  content.guidance.instruction = "COIL LOST";
-  const RgbImage lost = display.render(content);
-  content.guidance.values.reset();
-  const RgbImage without = display.render(content);
-  ASSERT_EQ(lost.rgb.size(), 640u * 360 * 3);
-  EXPECT_EQ(lost.rgb, without.rgb);
 }
 
 TEST(BullsEye, IsWholeInANarrowPictureToo) {

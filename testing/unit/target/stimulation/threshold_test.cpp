@@ -6,7 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
-#include "facenav/stimulation/virtual_subject.h"
+#include "support/virtual_subject.h"
 
 namespace facenav::stimulation {
 namespace {
@@ -114,12 +114,12 @@ Outcome searchSubjects(ThresholdMethod method, int subjects, unsigned seed = 202
   Outcome outcome;
   std::mt19937_64 random(seed);
   for (int i = 0; i < subjects; ++i) {
-    const VirtualSubject subject = drawSubject(random);
-    const double truth_pct = trueThreshold_pct(subject);
+    const testing::VirtualSubject subject = testing::drawSubject(random);
+    const double truth_pct = testing::trueThreshold_pct(subject);
     std::vector<ThresholdAnswer> answers;
     auto state = thresholdAfter(method, answers);
     while (!state.isDone()) {
-      answers.push_back({*state.next_pct, drawMep_uv(subject, *state.next_pct, random) >= 50});
+      answers.push_back({*state.next_pct, testing::drawMep_uv(subject, *state.next_pct, random) >= 50});
       state = thresholdAfter(method, answers);
     }
     outcome.error_pct.push_back(std::abs(state.estimate_pct.value_or(100) - truth_pct));

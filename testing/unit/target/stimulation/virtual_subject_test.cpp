@@ -1,4 +1,4 @@
-#include "facenav/stimulation/virtual_subject.h"
+#include "support/virtual_subject.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "facenav/core/robust_statistics.h"
 
-namespace facenav::stimulation {
+namespace facenav::testing {
 namespace {
 
 /// Subject of middle parameters.
@@ -62,4 +62,4 @@ TEST(VirtualSubject, ManyDifferAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace facenav::stimulation
+}  // namespace facenav::testing

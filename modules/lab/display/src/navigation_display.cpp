@@ -1,4 +1,4 @@
-#include "facenav/scene/navigation_display.h"
+#include "facenav/display/navigation_display.h"
 
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
@@ -24,7 +24,8 @@
 #include "facenav/scene/palette.h"
 #include "image_bridge.h"
 
-namespace facenav::scene {
+namespace facenav::display {
+namespace palette = scene::palette;
 namespace {
 
 /// Removes the sign of a number that is rounded to zero.
@@ -50,7 +51,7 @@ struct CameraPanel {
   }
   void set(const RgbImage& picture, double aspect) {
     if (picture.empty()) return;
-    copyInto(picture, image);
+    scene::copyInto(picture, image);
     if (!renderer->HasViewProp(actor)) {
       actor->SetInputData(image);
       renderer->AddActor(actor);
@@ -67,12 +68,12 @@ struct CameraPanel {
 }  // namespace
 
 struct NavigationDisplay::Implementation {
-  NavigationScene& scene;
+  scene::NavigationScene& scene;
   int width, height;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> page;  // bars, panels and text, in pixels, behind and beside the views
   CameraPanel left, right;
-  BullsEye bulls_eye;
+  scene::BullsEye bulls_eye;
   int bar, side, bottom;
   vtkSmartPointer<vtkTextActor> title, head, coil, timing, instruction;
   vtkSmartPointer<vtkActor2D> head_dot, coil_dot, banner;
@@ -81,7 +82,7 @@ struct NavigationDisplay::Implementation {
   };
   std::array<Figure, 4> figures;
 
-  Implementation(NavigationScene& s, int w, int h);
+  Implementation(scene::NavigationScene& s, int w, int h);
   vtkSmartPointer<vtkTextActor> text(double x, double y, int size, const palette::Rgb& colour,
                                      bool is_bold = false);
   vtkSmartPointer<vtkActor2D> box(double x, double y, double w, double h, const palette::Rgb& colour);
@@ -109,7 +110,7 @@ vtkSmartPointer<vtkTextActor> NavigationDisplay::Implementation::text(double x, 
 vtkSmartPointer<vtkActor2D> NavigationDisplay::Implementation::box(double x, double y, double w, double h,
                                                                    const palette::Rgb& colour) {
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(makeRectangle({0, 0}, {w, h}));
+  mapper->SetInputData(scene::makeRectangle({0, 0}, {w, h}));
   auto actor = vtkSmartPointer<vtkActor2D>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(x, y);
@@ -123,7 +124,7 @@ void NavigationDisplay::Implementation::viewport(vtkRenderer* renderer, double x
   renderer->SetViewport(x / width, y / height, (x + w) / width, (y + h) / height);
 }
 
-NavigationDisplay::Implementation::Implementation(NavigationScene& s, int w, int h)
+NavigationDisplay::Implementation::Implementation(scene::NavigationScene& s, int w, int h)
     : scene(s), width(w), height(h) {
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -207,7 +208,7 @@ void NavigationDisplay::Implementation::setGuidance(const guidance::GuidanceStat
   bulls_eye.set(g);
 }
 
-NavigationDisplay::NavigationDisplay(NavigationScene& scene, int width_px, int height_px)
+NavigationDisplay::NavigationDisplay(scene::NavigationScene& scene, int width_px, int height_px)
     : implementation_(std::make_unique<Implementation>(scene, width_px, height_px)) {}
 NavigationDisplay::~NavigationDisplay() = default;
 
@@ -225,7 +226,7 @@ RgbImage NavigationDisplay::render(const NavigationDisplayContent& content) {
   d.setStatus(d.head, d.head_dot, content.head);
   d.setStatus(d.coil, d.coil_dot, content.coil);
   d.setGuidance(content.guidance);
-  return grab(d.window);
+  return scene::grab(d.window);
 }
 
-}  // namespace facenav::scene
+}  // namespace facenav::display

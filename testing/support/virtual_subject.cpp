@@ -1,4 +1,4 @@
-#include "facenav/stimulation/virtual_subject.h"
+#include "support/virtual_subject.h"
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "normal_curve.h"
 
-namespace facenav::stimulation {
+namespace facenav::testing {
 namespace {
 
 constexpr double kFloor_v = 1e-7;       // lowest value of the recruitment curve
@@ -20,7 +20,7 @@ double normalQuantile(double share) {
   double low = -9, high = 9;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (normalBelow(middle) < share ? low : high) = middle;
+    (stimulation::normalBelow(middle) < share ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -114,8 +114,8 @@ double responseProbability(const VirtualSubject& s, double intensity_pct, double
     }
     const double wanted = std::log10(missing_v / kFloor_v);
     for (const double z : kNormals)
-      sum +=
-          normalBelow((evoked(s, intensity_pct, s.excitability_spread_pct * z) - wanted) / s.pathway_spread);
+      sum += stimulation::normalBelow((evoked(s, intensity_pct, s.excitability_spread_pct * z) - wanted) /
+                                      s.pathway_spread);
   }
   return sum / (kNoiseNodes * kExcitabilityNodes);
 }
@@ -129,4 +129,4 @@ double trueThreshold_pct(const VirtualSubject& s, double criterion_uv) {
   return 0.5 * (low + high);
 }
 
-}  // namespace facenav::stimulation
+}  // namespace facenav::testing

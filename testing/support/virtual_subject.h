@@ -9,7 +9,7 @@
 
 #include <random>
 
-namespace facenav::stimulation {
+namespace facenav::testing {
 
 struct VirtualSubject {
   double plateau = 0, half = 0, steepness = 0, onset_pct = 0;  // recruitment curve; plateau in decades
@@ -31,4 +31,4 @@ double responseProbability(const VirtualSubject& subject, double intensity_pct, 
 /// Intensity at which the response probability is one half, %.
 double trueThreshold_pct(const VirtualSubject& subject, double criterion_uv = 50);
 
-}  // namespace facenav::stimulation
+}  // namespace facenav::testing

@@ -10,7 +10,7 @@
 #include "facenav/guidance/guidance.h"
 #include "facenav/scene/navigation_scene.h"
 
-namespace facenav::scene {
+namespace facenav::display {
 
 enum class StatusLevel { good, caution, lost };
 struct StatusWords {
@@ -29,7 +29,7 @@ struct NavigationDisplayContent {
 class NavigationDisplay {
  public:
   /// `scene` must outlive the display. The caller sets its poses before render().
-  explicit NavigationDisplay(NavigationScene& scene, int width_px = 1280, int height_px = 720);
+  explicit NavigationDisplay(scene::NavigationScene& scene, int width_px = 1280, int height_px = 720);
   ~NavigationDisplay();
   NavigationDisplay(const NavigationDisplay&) = delete;
   NavigationDisplay& operator=(const NavigationDisplay&) = delete;
@@ -42,4 +42,4 @@ class NavigationDisplay {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace facenav::scene
+}  // namespace facenav::display
