@@ -44,11 +44,18 @@ std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const cam
   if (near)
     return joined(rig, detector.detectNear(frame.left, near->left),
                   detector.detectNear(frame.right, near->right));
-  const auto left = detector.detect(frame.left);
-  if (!left) return std::nullopt;
-  auto right = detector.detectNear(frame.right, *left);
-  if (const auto face = joined(rig, left, right)) return face;
-  return joined(rig, left, detector.detect(frame.right));
+  // The two cameras decide together: of the pairs that agree, the surest one. Two unsure ones that agree are
+  // a face.
+  const auto left = detector.detectAll(frame.left);
+  if (left.empty()) return std::nullopt;
+  std::optional<StereoFace> best;
+  for (const auto& in_right : detector.detectAll(frame.right))
+    for (const auto& in_left : left) {
+      const double score = in_left.score + in_right.score;
+      if (score < 0 || (best && score <= best->left.score + best->right.score)) continue;
+      if (auto face = joined(rig, in_left, in_right)) best = std::move(face);
+    }
+  return best;
 }
 
 std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, const cameras::StereoRig& rig,

@@ -19,9 +19,9 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   monitor.add(health::matchSurface(rig, measured, face.cloud, face.left_px));
   const auto estimate = monitor.estimate();
   if (!estimate.hasMoved()) return;
-  const auto diagnosis = health::diagnosePair(rig, plain);
+  const auto diagnosis = health::diagnosePair(rig, plain, monitor.region());
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
-  // If plain skin disagrees a little but the whole plain pair fits, the cameras did not move.
+  // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.
   const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});
   if (diagnosis.state != health::RigState::holds || is_clear)
     throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");

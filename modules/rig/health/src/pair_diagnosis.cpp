@@ -99,9 +99,16 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
   return diagnosis;
 }
 
-PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame) {
+PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                           const std::optional<cv::Rect>& part) {
   if (frame.left.empty() || frame.right.empty()) return {};
-  const auto matches = matchPictures(frame.left, frame.right);
+  auto matches = matchPictures(frame.left, frame.right);
+  if (part)
+    matches.erase(std::remove_if(matches.begin(), matches.end(),
+                                 [&](const Correspondence& match) {
+                                   return !part->contains({int(match.left_px.x()), int(match.left_px.y())});
+                                 }),
+                  matches.end());
   const auto diagnosis = diagnoseMatches(rig, matches);
   if (!diagnosis.isOfCameras()) return diagnosis;
   return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));

@@ -7,9 +7,9 @@
 namespace facenav::health {
 namespace {
 
-// If the whole reference pair fitted its calibration, a small contradiction by the skin does not prove that a
-// camera moved: require twice the monitor's own threshold.
-constexpr double kClearStatistic = 40, kClearContradiction = 2.0;
+// If the reference pair's face fitted its calibration, a small contradiction by the skin does not prove that
+// a camera moved: require twice the monitor's own threshold.
+constexpr double kClearStatistic = 40;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between judgements
 /// Coil frames in a row that change the verdict: a single frame may show a hand over the marker's edge.
 constexpr std::size_t kCoilFrames = 5;
@@ -18,9 +18,18 @@ constexpr std::size_t kCoilFrames = 5;
 
 void RigHealth::start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
                       const std::vector<Eigen::Vector2f>& left_px) {
+  reference_ = pair;
   monitor_.add(matchSurface(rig_, pair, face, left_px));
+  judge();
+}
+
+/// Asks the monitor. When it first says that the cameras moved, the face of the reference pair is diagnosed
+/// (half a second, once): it gives the fault its name, or shows that the reference fits.
+void RigHealth::judge() {
   estimate_ = monitor_.estimate();
-  const auto diagnosis = diagnosePair(rig_, pair);
+  if (!estimate_.hasMoved() || !reference_) return;
+  const auto diagnosis = diagnosePair(rig_, *reference_, monitor_.region());
+  reference_.reset();
   if (diagnosis.isFault()) reference_fault_ = diagnosis.verdict();
   has_fitted_ = diagnosis.state == RigState::holds;
 }
@@ -30,8 +39,7 @@ std::optional<RigVerdict> RigHealth::fault() const {
   if (coil_contradicts_) return markerContradicts();
   if (const auto moved = drift_.fault()) return moved;
   if (!estimate_.hasMoved()) return std::nullopt;
-  const bool is_clear =
-      estimate_.statistic > kClearStatistic || estimate_.contradiction > kClearContradiction;
+  const bool is_clear = estimate_.statistic > kClearStatistic;
   if (has_fitted_ && !is_clear) return std::nullopt;
   return estimate_.verdict();
 }
@@ -46,7 +54,7 @@ void RigHealth::add(const RigObservation& seen) {
   seen.sees_face ? drift_.add(seen) : drift_.addWithoutFace(seen.captured);
   followDrift();
   const std::size_t interval = frames_ < kFirstFrames ? kFirstInterval : kLaterInterval;
-  if (frames_++ % interval == 0) estimate_ = monitor_.estimate();
+  if (frames_++ % interval == 0) judge();
 }
 
 /// Restarts the monitor: its observations of the uncorrected cameras do not apply to the corrected ones.

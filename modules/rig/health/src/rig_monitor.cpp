@@ -19,9 +19,6 @@ constexpr double kGross_px = 20;     // a wrong match, not a moved camera
 // Least likelihood ratio (-2 log) of a moved rig. A higher value gives fewer false alarms and misses more
 // motion. Evidence: resources/doc/evidence.md.
 constexpr double kMovedStatistic = 20;
-// Median of the normalised residuals; 0.67 if the calibration holds. If cameras moved by several rows, most
-// matches are wrong in all directions: no motion explains them, and the calibration does not either.
-constexpr double kContradicted = 2.0;
 constexpr double kHarmful_mm = 0.5;  // smaller errors are no reason to stop
 constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
 constexpr double kTellsScatter = 4;  // fewest matches of a cell that determine their scatter
@@ -61,6 +58,14 @@ RigMonitor::RigMonitor(const cameras::StereoRig& rig, cameras::RigUncertainty un
 
 void RigMonitor::add(const std::vector<Correspondence>& points) {
   for (const Correspondence& point : points) {
+    const cv::Rect here(int(point.left_px.x()), int(point.left_px.y()), 1, 1);
+    region_ = region_ ? *region_ | here : here;
+  }
+  addPoints(points);
+}
+
+void RigMonitor::addPoints(const std::vector<Correspondence>& points) {
+  for (const Correspondence& point : points) {
     const double residual_px = cameras::epipolarResidual_px(rig_, point.left_px, point.right_px);
     if (!(std::abs(residual_px) < kGross_px)) continue;
     const double depth_mm = cameras::triangulate(rig_, point.left_px, point.right_px).mm.z();
@@ -79,7 +84,7 @@ void RigMonitor::add(const std::vector<Correspondence>& points) {
 void RigMonitor::add(const SquareObservation& square) {
   std::vector<Correspondence> corners;
   for (int i = 0; i < 4; ++i) corners.push_back({square.left_px[i], square.right_px[i], 0.05});
-  add(corners);
+  addPoints(corners);
   const double error = sizeError(rig_, square);
   if (!std::isfinite(error)) return;
   const double depth_mm = cameras::triangulate(rig_, square.left_px[0], square.right_px[0]).mm.z();
@@ -183,7 +188,6 @@ class RigMonitor::Evaluation {
   void addCauses(Explanation& model) const;
   Eigen::VectorXd predict(const cameras::StereoRig& rig) const;
   double typicalScatter_px() const;
-  double contradictionOf(const Explanation& model) const;
   double clippedResidual(const Eigen::VectorXd& explained) const;
   double epipolar_px(const Explanation& model, const Explained& moved) const;
   double displaced_mm(const Vector6d& motion) const;
@@ -255,17 +259,6 @@ Explanation RigMonitor::Evaluation::makeModel() const {
   return model;
 }
 
-/// Median of the single points' normalised residuals, with the calibration's error in their sigmas.
-double RigMonitor::Evaluation::contradictionOf(const Explanation& model) const {
-  std::vector<double> z;
-  for (int i = 0; i < points_; ++i)
-    for (std::size_t n = 0; n < cells_[i]->residuals_px.size(); ++n)
-      z.push_back(std::abs(cells_[i]->residuals_px[n]) /
-                  std::sqrt(std::pow(cells_[i]->sigmas_px[n], 2) + std::pow(uncertainty_.lens_px, 2) +
-                            model.by_calibration.row(i).squaredNorm()));
-  return upperMedian(z);
-}
-
 /// Mean squared residual of the single points in their sigmas, each at most four.
 double RigMonitor::Evaluation::clippedResidual(const Eigen::VectorXd& explained) const {
   double sum = 0, count = 0;
@@ -304,7 +297,6 @@ RigEstimate RigMonitor::Evaluation::estimate() const {
   RigEstimate verdict;
   if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;
   verdict.statistic = holds.cost - moved.cost;
-  verdict.contradiction = contradictionOf(model);
   verdict.turn_rad = motion.head<3>();
   verdict.epipolar_px = epipolar_px(model, moved);
   verdict.displaced_mm = displaced_mm(motion);
@@ -316,12 +308,11 @@ RigEstimate RigMonitor::Evaluation::estimate() const {
                                 : sizeCost(model, by_rest, points_) - sizeCost(model, by_all, points_) +
                                       holds.unknowns.squaredNorm() - moved.unknowns.squaredNorm();
   const Eigen::VectorXd rows_px = model.by_motion.topRows(points_) * moved.unknowns.tail<6>();
-  const bool is_contradicted = verdict.contradiction > kContradicted;
-  const bool is_harmful = verdict.displaced_mm > kHarmful_mm ||
-                          std::sqrt(rows_px.squaredNorm() / points_) > kHarmful_px || is_contradicted;
+  const bool is_harmful =
+      verdict.displaced_mm > kHarmful_mm || std::sqrt(rows_px.squaredNorm() / points_) > kHarmful_px;
   const bool is_told = verdict.statistic > kMovedStatistic &&
                        (come_nearer > kComesNearer || sizes_tell > 0.5 * verdict.statistic);
-  verdict.state = (is_told || is_contradicted) && is_harmful ? RigState::moved : RigState::holds;
+  verdict.state = is_told && is_harmful ? RigState::moved : RigState::holds;
   return verdict;
 }
 

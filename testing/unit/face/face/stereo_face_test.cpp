@@ -117,15 +117,28 @@ TEST(StereoFace, ASmallErrorOfTheLandmarksIsNoOtherFace) {
   EXPECT_TRUE(findStereoFace(stub, rig, frame()));
 }
 
-TEST(StereoFace, LooksInTheWholeRightImageWhereTheNeighbourhoodShowsAnother) {
+/// A detector that finds a poster, or a second person, more surely than the patient.
+struct ManyFaces : Stub {
+  std::vector<FaceLandmarks> in_left, in_right;
+  std::vector<FaceLandmarks> detectAll(const cv::Mat& grey) const override {
+    return grey.at<unsigned char>(0, 0) == 1 ? in_left : in_right;
+  }
+};
+
+TEST(StereoFace, OfSeveralFacesTheTwoCamerasChooseTheOneThatBothSee) {
   const auto rig = testing::convergingRig();
-  Stub stub = stubFor(rig, facePoints());
-  for (auto& p : stub.right_near->points68) p.y() += 100;
-  EXPECT_TRUE(findStereoFace(stub, rig, frame()));
-  EXPECT_EQ(stub.searches, 2);
-  stub = stubFor(rig, facePoints());
-  ASSERT_TRUE(findStereoFace(stub, rig, frame()));
-  EXPECT_EQ(stub.searches, 1) << "the near search was enough";
+  const Stub stub = stubFor(rig, facePoints());
+  FaceLandmarks poster = *stub.left;
+  for (auto& p : poster.points68) p += Eigen::Vector2d(30, 90);
+  ManyFaces many;
+  many.in_left = {poster, *stub.left}, many.in_right = {*stub.right};
+  many.in_left[0].score = 3, many.in_left[1].score = -0.2, many.in_right[0].score = 1;
+  const auto pair = frame();
+  const auto found = findStereoFace(many, rig, pair);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->left.points68[0] - stub.left->points68[0]).norm(), 1e-9);
+  many.in_right[0].score = -0.2;
+  EXPECT_FALSE(findStereoFace(many, rig, pair)) << "two unsure ones";
 }
 
 TEST(StereoFace, NearTheLastFaceSearchesNowhereElse) {
@@ -157,7 +170,8 @@ TEST(StereoFace, WithoutLandmarksTheBoxesGiveTheDepth) {
     return cv::Rect(int(px.x()) - 60, int(px.y()) - 60, 121, 121);
   };
   stub.left->face = around(cameras::project(rig.left, middle));
-  stub.right_near->face = around(cameras::project(rig.right, rig.right_T_left.isometry() * middle));
+  stub.right->face = stub.right_near->face =
+      around(cameras::project(rig.right, rig.right_T_left.isometry() * middle));
   const auto face = findStereoFace(stub, rig, frame());
   ASSERT_TRUE(face);
   EXPECT_TRUE(face->points_mm.empty());

@@ -179,16 +179,16 @@ TEST(RigMonitor, SaysHowFarPointsAreOffAsFarAsTheImagesTell) {
               0.5 * truth_mm);  // yaw, which nothing determines, is not guessed
 }
 
-TEST(RigMonitor, MatchesWrongInAllDirectionsSayThatTheRowsAreOff) {
+/// Compressed skin scatters far more than a match's own error says. That alone is no moved camera.
+TEST(RigMonitor, MatchesThatScatterAreNoMovedCamera) {
   const auto rig = facenav::testing::convergingRig();
   RigMonitor monitor(rig);
   auto points = Scene(rig, 4).face(150);
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> rows_px(-4, 4);
+  std::normal_distribution<double> rows_px(0, 0.6);
   for (auto& point : points) point.right_px.y() += rows_px(random);
   monitor.add(points);
-  EXPECT_TRUE(monitor.estimate().hasMoved());
-  EXPECT_GT(monitor.estimate().contradiction, 2.0);
+  EXPECT_FALSE(monitor.estimate().hasMoved());
 }
 
 TEST(RigMonitor, SeesPitchAndRollInTheFaceAlone) {

@@ -75,30 +75,49 @@ TEST(EpipolarOffset, OnlyPointsInBothCamerasCount) {
 }
 
 TEST(EpipolarOffset, LimitsDecideAndMayBeChanged) {
-  const EpipolarOffset offset{400, 0.3, 0.5};  // its median is known to 0.03 px
+  const EpipolarOffset offset{400, 0.3, 0.4, 0.2};  // its median is known to 0.03 px
   EXPECT_TRUE(offset.isOutOfStep());
   EXPECT_FALSE(offset.isOutOfStep(0.2)) << "the head's own motion explains it";
-  EXPECT_FALSE((EpipolarOffset{39, 0.9, 0.1}.isOutOfStep())) << "too few points";
-  EXPECT_FALSE((EpipolarOffset{40, 0.3, 0.5}.isOutOfStep())) << "known to 0.1 px only";
-  EXPECT_TRUE((EpipolarOffset{400, -0.3, 0.5}.isOutOfStep())) << "either way";
+  EXPECT_FALSE((EpipolarOffset{39, 0.9, 0.1, 0.2}.isOutOfStep())) << "too few points";
+  EXPECT_FALSE((EpipolarOffset{40, 0.3, 0.4, 0.2}.isOutOfStep())) << "known to 0.1 px only";
+  EXPECT_TRUE((EpipolarOffset{400, -0.3, 0.4, 0.2}.isOutOfStep())) << "either way";
   ChangedSettings<StepLimits> limits;
-  limits->step_bias_px = 0.3;
-  EXPECT_FALSE(offset.isOutOfStep());
-  limits->step_bias_px = 0.2, limits->step_fewest = 500;
+  limits->step_fewest = 500;
   EXPECT_FALSE(offset.isOutOfStep());
 }
 
+/// What matters is a length in front of the cameras, whatever their lens and distance.
+TEST(EpipolarOffset, MattersFromAnErrorOfTheDepthOn) {
+  const auto rig = facenav::testing::convergingRig();
+  const double depth_mm = 600, f_px = rig.right.k(1, 1);
+  const auto harmful_px = [&] { return epipolarOffset(rig, matchesOf(rig, {0, 0}, 0)).harmful_px; };
+  ChangedSettings<StepLimits> limits;
+  limits->step_harm_mm = 3.0;
+  const double expected_px = 3.0 * rig.baseline_mm() / depth_mm * f_px / depth_mm;
+  EXPECT_NEAR(harmful_px(), expected_px, 0.1 * expected_px);
+  limits->step_harm_mm = 0.1;
+  EXPECT_NEAR(harmful_px(), rig.rms_px.value_or(0.2), 1e-6) << "not below what the calibration leaves";
+}
+
+TEST(EpipolarOffset, IsCleanWherePointsLieOnTheirLines) {
+  EXPECT_TRUE((EpipolarOffset{400, 0.2, 0.3, 0.5}.isClean()));
+  EXPECT_FALSE((EpipolarOffset{400, 0.2, 0.9, 0.5}.isClean())) << "parts of the face lie apart";
+  EXPECT_FALSE((EpipolarOffset{400, 0.6, 0.1, 0.5}.isClean())) << "shifted";
+  EXPECT_FALSE((EpipolarOffset{20, 0.0, 0.1, 0.5}.isClean())) << "too few points";
+}
+
 TEST(EpipolarOffset, OfAStrangerMustBeClear) {
-  EXPECT_TRUE((EpipolarOffset{400, 1.5, 0.5}.isClearlyOutOfStep()));
-  EXPECT_FALSE((EpipolarOffset{400, 1.2, 0.5}.isClearlyOutOfStep())) << "1 px and 8 standard errors of 0.03";
-  EXPECT_FALSE((EpipolarOffset{400, 9.0, 2.5}.isClearlyOutOfStep())) << "chance matches lie anywhere";
-  EXPECT_FALSE((EpipolarOffset{30, 9.0, 0.5}.isClearlyOutOfStep()));
+  EXPECT_TRUE((EpipolarOffset{400, 1.5, 0.5, 0.2}.isClearlyOutOfStep()));
+  EXPECT_FALSE((EpipolarOffset{400, 1.2, 0.5, 0.2}.isClearlyOutOfStep()))
+      << "1 px and 8 standard errors of 0.03";
+  EXPECT_FALSE((EpipolarOffset{400, 9.0, 2.5, 0.2}.isClearlyOutOfStep())) << "chance matches lie anywhere";
+  EXPECT_FALSE((EpipolarOffset{30, 9.0, 0.5, 0.2}.isClearlyOutOfStep()));
 }
 
 TEST(StepWatch, OffsetsThatChangeTheirSignAreChance) {
   StepWatch watch;
   for (int i = 0; i < 10; ++i) {
-    const EpipolarOffset offset{400, i % 2 ? 0.3 : -0.3, 0.5};
+    const EpipolarOffset offset{400, i % 2 ? 0.3 : -0.3, 0.4, 0.2};
     EXPECT_NE(watch.judge(offset, 0, Timestamp{0.1 * i}), StepVerdict::out_of_step) << i;
   }
 }
@@ -110,13 +129,14 @@ TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereEnoughIsSeen) {
     identity.log_likelihood_ratio = log_ratio;
     return identity.verdict();
   };
-  EXPECT_EQ(at(4.7), Identity::Verdict::patient);
-  EXPECT_EQ(at(4.5), Identity::Verdict::undecided);
-  EXPECT_EQ(at(-4.5), Identity::Verdict::undecided);
-  EXPECT_EQ(at(-4.7), Identity::Verdict::other);
+  // Odds of 100 to 1 (4.6), of which 10 to 1 (2.3) are there before the skin is seen.
+  EXPECT_EQ(at(2.4), Identity::Verdict::patient);
+  EXPECT_EQ(at(2.2), Identity::Verdict::undecided);
+  EXPECT_EQ(at(-6.8), Identity::Verdict::undecided);
+  EXPECT_EQ(at(-7.0), Identity::Verdict::other);
   {
     ChangedSettings<IdentityModel> model;
-    model->identity_sure = 6;
+    model->identity_sure = 8;
     EXPECT_EQ(at(4.7), Identity::Verdict::undecided);
   }
   identity.windows = 59;

@@ -101,7 +101,7 @@ TEST_F(Skin, ThatMovesAsOnePieceDoesNotTakeThePoseAlong) {
 TEST_F(Skin, OfNoMatchGivesNoPose) { EXPECT_FALSE(solveWithSkinField(*points_, {})); }
 
 TEST(StepWatch, NeedsTwoAnswersForASmallOffsetAndOneForALargeOne) {
-  const auto offset = [](double median_px) { return EpipolarOffset{400, median_px, 0.5}; };
+  const auto offset = [](double median_px) { return EpipolarOffset{400, median_px, 0.4, 0.2}; };
   StepWatch watch;
   EXPECT_EQ(watch.judge(offset(0.05), 0, Timestamp{1.0}), StepVerdict::in_step);
   EXPECT_EQ(watch.judge(offset(0.27), 0, Timestamp{1.1}), StepVerdict::unsure);

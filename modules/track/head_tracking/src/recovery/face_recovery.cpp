@@ -10,7 +10,8 @@ constexpr std::size_t kMostRemembered = 6;  // each costs one more fit if the re
 constexpr double kTurn_mm = 200.0;          // distance equivalent to one radian: 3.5 mm a degree
 
 // Squared Mahalanobis distance between the poses of each camera alone, above which the images are out of
-// step. Higher accepts more pairs of two moments.
+// step, unless the skin lies on its epipolar lines: an expression that the reference does not know moves the
+// two poses apart, too. Higher accepts more pairs of two moments.
 constexpr double kApart = 35.0;
 constexpr double kUneven = 0.5;      // ratio of the two cameras' shares of windows in place
 constexpr double kSideFound = 0.35;  // least share of windows in place for the patient's face
@@ -33,7 +34,8 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   const auto& share = found.identity.side_share;
   const bool is_even = std::min(share[0], share[1]) > kUneven * std::max(share[0], share[1]);
   if (is_even && found.pose.sides_apart)
-    return *found.pose.sides_apart > kApart ? SidesVerdict::out_of_step : SidesVerdict::agree;
+    return *found.pose.sides_apart > kApart && !found.lines.isClean() ? SidesVerdict::out_of_step
+                                                                      : SidesVerdict::agree;
   for (const std::size_t c : {0u, 1u}) {  // does each image show the face at some pose?
     const RecoveryPose own = fitRecoveryPose(rig_, points_, *found.then, *found.pictures,
                                              found.pose.camera_T_head, c == 0 ? Sides::left : Sides::right);

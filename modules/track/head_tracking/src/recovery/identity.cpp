@@ -19,9 +19,10 @@ bool Identity::isAnswered() const { return windows >= settingsOf<IdentityModel>(
 
 Identity::Verdict Identity::verdict() const {
   if (!isAnswered()) return Verdict::undecided;
-  const double sure = settingsOf<IdentityModel>().identity_sure;
-  if (log_likelihood_ratio > sure) return Verdict::patient;
-  return log_likelihood_ratio < -sure ? Verdict::other : Verdict::undecided;
+  const auto& model = settingsOf<IdentityModel>();
+  const double log_odds = log_likelihood_ratio + model.identity_prior;
+  if (log_odds > model.identity_sure) return Verdict::patient;
+  return log_odds < -model.identity_sure ? Verdict::other : Verdict::undecided;
 }
 
 Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, const SkinView& then,

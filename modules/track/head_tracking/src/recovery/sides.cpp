@@ -11,6 +11,9 @@
 namespace facenav::head_tracking {
 namespace {
 
+constexpr double kUsualRms_px = 0.2;  // of a calibration that does not state it
+// Two matches of one point, each off by 0.3 px (rig/health's kMatchSigma_px), scatter so across the line.
+constexpr double kMatchNoise_px = 0.42;
 constexpr double kMedianNoise = 1.25;  // standard error of a median divided by that of a mean
 
 // Signed distance of the right pixel from the left pixel's epipolar line, px of the right camera.
@@ -22,19 +25,35 @@ double offLine_px(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px,
   return f_px * line.dot(cameras::undistort(rig.right, right_px).homogeneous()) / line.head<2>().norm();
 }
 
+// Offset across the lines, px, of a motion that changes the depth by StepLimits::step_harm_mm if it goes as
+// far along the lines: depth / baseline times as much.
+double harmful_px(const cameras::StereoRig& rig, double depth_mm) {
+  const double moved_mm = settingsOf<StepLimits>().step_harm_mm * rig.baseline_mm() / depth_mm;
+  return std::max(moved_mm * rig.right.k(1, 1) / depth_mm, rig.rms_px.value_or(kUsualRms_px));
+}
+
 double sigmaOf(const EpipolarOffset& offset) {
   return kMedianNoise * offset.spread_px / std::sqrt(std::max(1.0, double(offset.points)));
 }
 
 double limitOf(const EpipolarOffset& offset, double allowed_px) {
   const StepLimits& limits = settingsOf<StepLimits>();
-  return limits.step_bias_px + allowed_px + limits.step_sigmas * sigmaOf(offset);
+  return offset.harmful_px + allowed_px + limits.step_sigmas * sigmaOf(offset);
 }
 
 }  // namespace
 
+double EpipolarOffset::size_px() const {
+  const double of_parts = std::max(0.0, spread_px * spread_px - kMatchNoise_px * kMatchNoise_px);
+  return std::sqrt(median_px * median_px + of_parts);
+}
+
 bool EpipolarOffset::isOutOfStep(double allowed_px) const {
-  return points >= settingsOf<StepLimits>().step_fewest && std::abs(median_px) > limitOf(*this, allowed_px);
+  return points >= settingsOf<StepLimits>().step_fewest && size_px() > limitOf(*this, allowed_px);
+}
+
+bool EpipolarOffset::isClean() const {
+  return points >= settingsOf<StepLimits>().step_fewest && size_px() < harmful_px;
 }
 
 bool EpipolarOffset::isClearlyOutOfStep() const {
@@ -54,7 +73,7 @@ StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Ti
     both.points = offset.points + before->points;
   }
   const bool is_out = offset.isOutOfStep(allowed_px);
-  if (is_out && std::abs(offset.median_px) > limits.step_sure_alone * limitOf(offset, allowed_px))
+  if (is_out && offset.size_px() > limits.step_sure_alone * limitOf(offset, allowed_px))
     return StepVerdict::out_of_step;
   if (before && both.isOutOfStep(allowed_px)) return StepVerdict::out_of_step;
   return is_out ? StepVerdict::unsure : StepVerdict::in_step;
@@ -64,15 +83,19 @@ EpipolarOffset epipolarOffset(const cameras::StereoRig& rig, const std::vector<S
   std::map<int, const SkinMatch*> in_left;
   for (const auto& match : matches)
     if (match.camera == 0) in_left[match.point] = &match;
-  std::vector<double> off_px;
+  std::vector<double> off_px, depth_mm;
   for (const auto& match : matches) {
     if (match.camera != 1) continue;
     const auto left = in_left.find(match.point);
-    if (left != in_left.end()) off_px.push_back(offLine_px(rig, left->second->px, match.px));
+    if (left == in_left.end()) continue;
+    off_px.push_back(offLine_px(rig, left->second->px, match.px));
+    depth_mm.push_back(cameras::triangulate(rig, left->second->px, match.px).mm.z());
   }
   EpipolarOffset offset;
   offset.points = int(off_px.size());
+  if (off_px.empty()) return offset;
   offset.median_px = upperMedian(off_px);
+  offset.harmful_px = harmful_px(rig, std::max(1.0, upperMedian(depth_mm)));
   for (double& px : off_px) px = std::abs(px - offset.median_px);
   offset.spread_px = kSigmaPerMad * upperMedian(off_px);
   return offset;

@@ -15,10 +15,17 @@ struct EpipolarOffset {
   int points = 0;        // found in both cameras
   double median_px = 0;  // signed distance from the epipolar lines, right camera
   double spread_px = 0;  // robust standard deviation about the median
+  /// An offset that matters. A head that moved so far across the lines between the exposures, and as far
+  /// along them, has a wrong depth (StepLimits::step_harm_mm). At least the calibration's own error.
+  double harmful_px = 0;
 
   /// True if the face's epipolar error is larger than the errors of the matches explain. `allowed_px`: error
   /// that the head's motion between the exposures of untriggered cameras explains.
   bool isOutOfStep(double allowed_px = 0.0) const;
+  /// The offset of the whole face and of its parts together, without the noise of single matches.
+  double size_px() const;
+  /// True if the points lie on their lines so well that both images must be of one moment.
+  bool isClean() const;
   /// Tests against a stricter limit, for a face that is not known to be the patient's. Chance matches on
   /// another person's skin do not reach it.
   bool isClearlyOutOfStep() const;

@@ -1,6 +1,7 @@
 #pragma once
-// Detects a face and its landmarks, the start of alignment and tracking without a click. Uses a Haar cascade
-// (Viola-Jones, OpenCV; paper, section 4), and dlib's 68-point predictor if its model file is installed.
+// Detects a face and its landmarks, the start of alignment and tracking without a click. The default detector
+// is dlib's (histograms of gradients, Dalal & Triggs 2005); the paper's way is a Haar cascade (Viola & Jones
+// 2001; paper, section 4). Both add dlib's 68 landmarks if the model file is installed.
 
 #include <Eigen/Core>
 #include <memory>
@@ -14,26 +15,33 @@ namespace facenav::face {
 class LandmarkModel;
 
 struct FaceLandmarks {
-  cv::Rect face;                          // in px of the given image
+  cv::Rect face;                          // in px of the given image, forehead to lower lip
   std::vector<Eigen::Vector2d> points68;  // the iBUG 68 points, px; empty if the model is not installed
   double roll_rad = 0.0;                  // in-plane roll of the face, clockwise on the image
+  double score = 0.0;                     // of the detector; larger: surer
 };
 
 class FaceDetector {
  public:
   virtual ~FaceDetector() = default;
-  /// The largest face in an 8-bit grey image, or nothing. Tries in-plane rotations up to about 45 degrees,
+  /// The surest face in an 8-bit grey image, or nothing. Tries in-plane rotations up to about 45 degrees,
   /// then those of cameras mounted on their side or upside down.
   virtual std::optional<FaceLandmarks> detect(const cv::Mat& grey) const = 0;
+  /// All that may be a face, the surest first. The other camera decides which are (findStereoFace).
+  virtual std::vector<FaceLandmarks> detectAll(const cv::Mat& grey) const {
+    const auto one = detect(grey);
+    return one ? std::vector<FaceLandmarks>{*one} : std::vector<FaceLandmarks>{};
+  }
   /// The face near its last position, size and roll; a few times faster than detect().
   virtual std::optional<FaceLandmarks> detectNear(const cv::Mat& grey, const FaceLandmarks& last) const = 0;
-  /// The largest face with roll `roll_rad` (within some 15 degrees), anywhere; much faster than detect().
+  /// The surest face with roll `roll_rad` (within some 15 degrees), anywhere; much faster than detect().
   virtual std::optional<FaceLandmarks> detectAtRoll(const cv::Mat& grey, double roll_rad) const = 0;
 };
 
-/// Throws Error naming the missing package if the cascade file is not installed.
 std::unique_ptr<FaceDetector> makeFaceDetector();
 /// Makes a detector that uses a shared landmark model (100 MB).
 std::unique_ptr<FaceDetector> makeFaceDetector(std::shared_ptr<const LandmarkModel> landmarks);
+/// Makes the paper's detector. Throws Error naming the missing package if the cascade file is not installed.
+std::unique_ptr<FaceDetector> makeCascadeDetector(std::shared_ptr<const LandmarkModel> landmarks);
 
 }  // namespace facenav::face

@@ -10,6 +10,7 @@
 // moved as one rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell
 // these two apart, so the advice for a moved camera mentions both.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,10 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
 PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
                        const std::vector<Correspondence>& skin);
 /// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
-/// fit.
-PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame);
+/// fit. `part` of the left picture, px: only its matches count; empty: the whole picture. Give the face where
+/// it is known: clothes and walls at the edge lie where no board was shown, and the lens model is a guess
+/// there.
+PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                           const std::optional<cv::Rect>& part = {});
 
 }  // namespace facenav::health

@@ -21,7 +21,7 @@ class RigHealth {
  public:
   explicit RigHealth(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig), drift_(rig) {}
   /// Starts with the session's reference pair and the face measured in it (Camera, mm, with its pixels in the
-  /// left image; may be empty). Checks whether the whole pair fits the rig (half a second).
+  /// left image; may be empty).
   void start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
              const std::vector<Eigen::Vector2f>& left_px);
   /// Adds the next frame, which was tracked with right_T_left() as of the frame before.
@@ -38,13 +38,16 @@ class RigHealth {
 
  private:
   void followDrift();
+  void judge();
 
   cameras::StereoRig rig_;
   RigMonitor monitor_;
   RigEstimate estimate_;
   CameraDrift drift_;
+  // The reference pair, until the monitor first says that the cameras moved: then its face is diagnosed.
+  std::optional<cameras::StereoFrame> reference_;
   std::optional<RigVerdict> reference_fault_;  // a session that starts with such images stays wrong
-  bool has_fitted_ = false;                    // the whole reference pair fitted its calibration
+  bool has_fitted_ = false;                    // the reference pair's face fitted its calibration
   std::size_t frames_ = 0;
   /// Frames in a row in which a coil at rest contradicts, or fits, the size and the rows of its print.
   std::size_t contradicted_ = 0, agreed_ = 0;

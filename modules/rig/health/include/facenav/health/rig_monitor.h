@@ -13,6 +13,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,9 @@ namespace facenav::health {
 /// Estimate from the gathered points and squares.
 struct RigEstimate {
   RigState state = RigState::unclear;  // unclear, holds or moved
-  double statistic = 0;  // likelihood ratio; chi-square with 6 degrees of freedom if the calibration holds
-  double contradiction = 0;  // median over the points of |residual| / sigma; 0.67 if it holds
-  double epipolar_px = 0;    // rms over the cells, without wrong matches
-  double displaced_mm = 0;   // rms error of points in space if the cameras moved as estimated
+  double statistic = 0;     // likelihood ratio; chi-square with 6 degrees of freedom if the calibration holds
+  double epipolar_px = 0;   // rms over the cells, without wrong matches
+  double displaced_mm = 0;  // rms error of points in space if the cameras moved as estimated
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();  // estimated rotation of the right camera
 
   bool hasMoved() const { return state == RigState::moved; }
@@ -44,6 +44,8 @@ class RigMonitor {
   /// Adds the points of one frame. Takes some microseconds a point.
   void add(const std::vector<Correspondence>& points);
   void add(const SquareObservation& square);
+  /// The part of the left picture in which points were added, px; empty: none were.
+  std::optional<cv::Rect> region() const { return region_; }
   /// Estimates. Takes about a millisecond: call it for every 30th frame, not for each.
   RigEstimate estimate() const;
 
@@ -58,6 +60,8 @@ class RigMonitor {
     double error = 0, variance = 0, count = 0;
   };
   class Evaluation;
+  void addPoints(const std::vector<Correspondence>& points);
+  std::optional<cv::Rect> region_;
   cameras::StereoRig rig_;
   cameras::RigUncertainty uncertainty_;
   std::map<std::array<int, 3>, Cell> cells_;  // column, row, depth

@@ -20,10 +20,11 @@ struct IdentityModel {
   double identity_other_mean = -2.7;
   double identity_other_sigma = 0.6;
   double identity_own_shape = -0.35;
-  double identity_own_shape_sigma = 0.35;
+  double identity_own_shape_sigma = 0.6;
   double identity_other_shape = 0.45;
   double identity_other_shape_sigma = 0.45;
   double identity_sure = 4.6;
+  double identity_prior = 2.3;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -60,6 +61,11 @@ struct IdentityModel {
             self.identity_other_shape_sigma);
     visitor(kOdds("identity_sure", 1, 20, "1", "log likelihood ratio of a decision: 100 to 1"),
             self.identity_sure);
+    visitor(
+        kPrior(
+            "identity_prior", 0, 10, "1",
+            "log odds, before the skin is seen, that a face where the patient's was lost is the patient's"),
+        self.identity_prior);
   }
 
  private:
@@ -70,10 +76,15 @@ struct IdentityModel {
   static constexpr Evidence kOther{Origin::fitted,
                                    "on the same person mirrored, 25 attempts (-2.7, 0.33; the program is not "
                                    "kept), widened; nobody held out"};
-  static constexpr Evidence kShape{Origin::chosen,
-                                   "0.7 mm is what two pairs of cameras leave on one real face without dots, "
-                                   "1.6 mm what adult faces differ by; not fitted"};
+  static constexpr Evidence kShape{
+      Origin::chosen,
+      "0.7 mm is what two pairs of cameras leave on one real face without dots, "
+      "1.6 mm what adult faces differ by; not fitted. The patient's deviation was "
+      "doubled when a second person's grimaces were seen"};
   static constexpr Evidence kOdds{Origin::chosen, "odds of 100 to 1"};
+  static constexpr Evidence kPrior{Origin::chosen,
+                                   "10 to 1: the patient's head comes back to its chair far more often than "
+                                   "another's takes its place"};
   static constexpr Evidence kNotRecorded{Origin::chosen,
                                          "origin not recorded; in development on one real person"};
 };

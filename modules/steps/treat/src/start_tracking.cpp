@@ -1,0 +1,130 @@
+#include "start_tracking.h"
+
+#include <algorithm>
+
+#include "facenav/align/stored_capture.h"
+#include "facenav/core/log.h"
+#include "facenav/face/stereo_face.h"
+#include "facenav/treat/guide_poses.h"
+
+namespace facenav::steps {
+namespace {
+
+// Frames in which a face is found, spread over the recording, before it is given up.
+constexpr std::int64_t kMostStarts = 20;
+
+/// Start of the head tracker, and the head's pose at that time.
+struct Start {
+  head_tracking::HeadReference reference;
+  std::optional<RigidTransform<Camera, Mri>> camera_T_mri;
+  // Skin that the face was aligned to, if aligned in this run.
+  std::shared_ptr<const registration::ScalpField> scalp = nullptr;
+};
+
+/// The head tracker of a recording in which no face can be tracked. The coil may be.
+class NoHead : public head_tracking::HeadTracker {
+ public:
+  void start(const cameras::StereoRig&, const head_tracking::HeadReference&, head_tracking::Pace) override {}
+  head_tracking::HeadResult track(const cameras::StereoFrame&, const head_tracking::HeadContext&) override {
+    return Tracked<head_tracking::HeadPose>(Lost{LostReason::no_face});
+  }
+};
+
+std::unique_ptr<session::Navigator> makeNavigator(const Registrations& methods, const TrackRequest& request,
+                                                  const capture::Recording& recording, Start start,
+                                                  const coil_tracking::CoilModel& coil,
+                                                  std::unique_ptr<head_tracking::HeadTracker> head) {
+  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
+                                start.scalp};
+  setup.pace = head_tracking::Pace::patient;  // a recording may take longer than real time
+  if (request.case_folder) setup.key_frames = casefile::readKeyFrames(*request.case_folder);
+  auto navigator = std::make_unique<session::Navigator>(setup, std::move(head),
+                                                        methods.coil_trackers.create(request.coil_tracker));
+  if (!request.target.empty()) {
+    const auto store = casefile::CaseStore::open(request.case_folder.value());
+    navigator->setTarget(session::ChosenTarget{store.targets().find(request.target),
+                                               predictedError_mm(store, request.target).value_or(0.0)});
+  }
+  return navigator;
+}
+
+/// Starts at the first frame in which both cameras see a face that can be tracked. A face may be covered,
+/// blurred or cut off in one frame and plain to see in the next.
+StartedTracking startAtFirstFace(const Registrations& methods, const TrackRequest& request,
+                                 const capture::Recording& recording,
+                                 const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri,
+                                 const coil_tracking::CoilModel& coil, TaskMonitor& monitor) {
+  const auto detector = methods.face_detector();
+  const auto source = capture::makeSource(recording);
+  const auto apart = std::max<std::int64_t>(1, recording.frame_count / kMostStarts);
+  StartedTracking started;
+  started.is_aligned = camera_T_mri.has_value();
+  started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
+                        " frames; check that both cameras see the whole face, upright and lit";
+  std::shared_ptr<const cameras::StereoFrame> first;
+  for (std::int64_t i = 0, next = 0; auto frame = source->next(); ++i) {
+    monitor.report("looking for a face",
+                   double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
+    if (!first) first = frame;
+    if (i < next || !face::findStereoFace(*detector, recording.rig, *frame)) continue;
+    try {
+      started.navigator = makeNavigator(methods, request, recording, {{*frame, {}, {}}, camera_T_mri}, coil,
+                                        methods.head_trackers.create(request.head_tracker));
+      started.why_no_head.clear();
+      return started;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      started.why_no_head = error.what();
+      next = i + apart;
+    }
+  }
+  if (!first) throw Error("the recording has no frame", recording.folder.string());
+  started.navigator = makeNavigator(methods, request, recording, {{*first, {}, {}}, camera_T_mri}, coil,
+                                    std::make_unique<NoHead>());
+  return started;
+}
+
+/// Starts from another tool's alignment.json without its images. It fits this recording only if the head in
+/// the first frame is where it was at that alignment; this cannot be checked here.
+RigidTransform<Camera, Mri> storedPose(const casefile::CaseStore& store) {
+  const auto alignment = store.alignment();
+  if (!alignment)
+    throw Error("case is not aligned and the recording has no capture/ pair to align from",
+                store.folder().string(), "run 'facenav align' with a capture first");
+  logWarning("no capture pair: the head is taken to sit in the first frame as it sat at the alignment");
+  return alignment->camera_T_mri;
+}
+
+/// True if the case's alignment is from a film. It is not repeated, because the case keeps only one frame of
+/// the film.
+bool isFromFilm(const casefile::CaseStore& store) {
+  const auto alignment = store.alignment();
+  return alignment && alignment->from == measured_face::nameOf(measured_face::AlignedFrom::film);
+}
+
+}  // namespace
+
+StartedTracking startTracking(const Registrations& methods, const TrackRequest& request,
+                              const capture::Recording& recording, const coil_tracking::CoilModel& coil,
+                              TaskMonitor& monitor) {
+  if (!request.case_folder) return startAtFirstFace(methods, request, recording, std::nullopt, coil, monitor);
+  const auto store = casefile::CaseStore::open(*request.case_folder);
+  std::optional<capture::CapturePair> capture = recording.capture;
+  if (!capture) capture = readStoredCapture(store.folder(), recording.rig);
+  if (!capture) return startAtFirstFace(methods, request, recording, storedPose(store), coil, monitor);
+  StartedTracking started;
+  Start start;
+  if (!recording.capture && isFromFilm(store)) {
+    start = {{capture->plain, {}, {}}, store.alignment()->camera_T_mri};
+  } else {
+    started.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
+    start = {started.alignment->reference, started.alignment->result.camera_T_mri, started.alignment->scalp};
+  }
+  started.is_aligned = true;
+  started.navigator = makeNavigator(methods, request, recording, std::move(start), coil,
+                                    methods.head_trackers.create(request.head_tracker));
+  return started;
+}
+
+}  // namespace facenav::steps
