@@ -137,6 +137,19 @@ TEST(FaceCheck, AcceptsAWholeFaceAtAnyTurnOfTheHead) {
   }
 }
 
+TEST(FaceCheck, AcceptsAFaceThatNodsAndEndsAtMidNose) {
+  FACENAV_NEEDS(facenav::testing::virtualPatientMri());
+  double top = -1e9;
+  for (const auto& v : virtualPatientsScalp().mesh.vertices_mm) top = std::max(top, v.z());
+  Volume scan = without(virtualPatient(), [&](const Eigen::Vector3d& p) { return p.z() < top - 140; });
+  for (const double nod_deg : {-12.0, 12.0}) {
+    Volume nodding = scan;
+    nodding.grid.mri_from_voxel =
+        Eigen::AngleAxisd(nod_deg * M_PI / 180, Eigen::Vector3d::UnitX()) * scan.grid.mri_from_voxel;
+    EXPECT_TRUE(scalpOf(nodding).has_face) << nod_deg;
+  }
+}
+
 TEST(FaceCheck, NamesARemovedOrNoisyFaceAtAnyTurnOfTheHead) {
   FACENAV_NEEDS(facenav::testing::virtualPatientMri());
   const auto in_face = inFace();

@@ -5,6 +5,7 @@
 
 #include "facenav/anatomy/face_norms.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
 #include "landmarks/head_frame.h"
 
 namespace facenav::surface {
@@ -24,7 +25,7 @@ struct HeadFront {
   SkinRelief relief;
   double top_mm = -1e9, foremost_mm = -1e9;
 
-  explicit HeadFront(const TriangleMesh& scalp) : head_from_mri(symmetryFrame(scalp)) {
+  HeadFront(const TriangleMesh& scalp, const Eigen::Isometry3d& frame) : head_from_mri(frame) {
     for (const Vector3d& v : scalp.vertices_mm) {
       head_mm.push_back(head_from_mri * v);
       top_mm = std::max(top_mm, head_mm.back().z());
@@ -35,6 +36,24 @@ struct HeadFront {
       if (height < foremost_mm - kFaceDepth_mm) height = SkinRelief::kNone;
   }
 };
+
+/// The head's front and the face on it. Where no face is clear, also with the head nodded: a head that nods
+/// back shows the scan's lower end, which hides the likeness.
+std::pair<HeadFront, std::optional<FaceMatch>> findFront(const TriangleMesh& scalp) {
+  constexpr double kNods_deg[] = {-12, 12};
+  const Eigen::Isometry3d level = symmetryFrame(scalp);
+  HeadFront front(scalp, level);
+  auto face = anatomy::findFace(front.relief, front.top_mm);
+  if (face && face->likeness >= anatomy::kClearFaceLikeness) return {std::move(front), face};
+  for (const double nod_deg : kNods_deg) {
+    HeadFront nodding(scalp, Eigen::AngleAxisd(nod_deg * kRadPerDeg, Vector3d::UnitX()) * level);
+    const auto found = anatomy::findFace(nodding.relief, nodding.top_mm);
+    if (found && anatomy::kFaceLikeness.contains(found->likeness) &&
+        (!face || found->likeness > face->likeness))
+      front = std::move(nodding), face = found;
+  }
+  return {std::move(front), face};
+}
 
 /// Box of the face (brow to upper lip) or of the forehead, in the relief's axes.
 Eigen::AlignedBox2d boxOf(const FaceMatch& face, double lowest_mm, double highest_mm) {
@@ -172,10 +191,10 @@ FaceState judgeFace(const FaceEvidence& e) {
 
 FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const ScanEnds& ends,
                     const std::vector<float>& edge_width_mm) {
-  const HeadFront front(scalp);
+  const auto [front, match] = findFront(scalp);
   FaceCheck check;
   FaceEvidence& evidence = check.evidence;
-  evidence.match = anatomy::findFace(front.relief, front.top_mm);
+  evidence.match = match;
   const FaceMatch face = evidence.match.value_or(FaceMatch{});
   const Cuts cuts = findCuts(front, neighbours, ends, face.x_mm, face.nasion_mm);
   if (!cuts.hole_mm.isEmpty()) {
