@@ -114,6 +114,7 @@ nlohmann::json toJson(const dicom::SeriesInfo& info) {
           {"patient", info.patient.value_or(0)},
           {"date", info.date},
           {"modality", info.modality},
+          {"kind", dicom::idOf(info.kind)},
           {"contrast", info.contrast},
           {"series_number", info.series_number},
           {"rows", info.rows},

@@ -25,40 +25,6 @@ double protrusion_mm(const FrontRelief& relief, int row, int column) {
 
 }  // namespace
 
-double sides_mm(const FrontRelief& relief, int midline, int row, double beside_mm) {
-  const double a = relief.at(row, midline - relief.cells(beside_mm)),
-               b = relief.at(row, midline + relief.cells(beside_mm));
-  return a > FrontRelief::kNone && b > FrontRelief::kNone ? 0.5 * (a + b) : FrontRelief::kNone;
-}
-
-double prominence_mm(const FrontRelief& relief, int midline, int row) {
-  constexpr double kRidge_mm = 10, kCheek_mm = 30;
-  double middle = FrontRelief::kNone;
-  for (int c = -relief.cells(kRidge_mm); c <= relief.cells(kRidge_mm); ++c)
-    middle = std::max(middle, relief.at(row, midline + c));
-  const double sides = sides_mm(relief, midline, row, kCheek_mm);
-  return middle > FrontRelief::kNone && sides > FrontRelief::kNone ? middle - sides : FrontRelief::kNone;
-}
-
-std::optional<NoseRise> findNoseRise(const FrontRelief& relief, int midline) {
-  // A nose is 8 to 45 mm long from where it begins to rise. It ends before mouth and chin, which stand out
-  // too.
-  constexpr double kForehead_mm = 50, kShortest_mm = 8, kLongest_mm = 45, kStep_mm = 0.5, kSurely_mm = 12;
-  std::optional<NoseRise> best;
-  for (int root = relief.cells(kForehead_mm); root < relief.rows(); ++root) {
-    const double at_root = prominence_mm(relief, midline, root);
-    if (at_root <= FrontRelief::kNone) continue;
-    const int last = std::min(root + relief.cells(kLongest_mm), relief.rows() - 1);
-    for (int crest = root + relief.cells(kShortest_mm); crest <= last; ++crest) {
-      const double there = prominence_mm(relief, midline, crest);
-      if (there > FrontRelief::kNone && there - at_root > (best ? best->rise_mm : 0.0) + kStep_mm)
-        best = NoseRise{root, crest, there - at_root};
-    }
-    if (best && best->rise_mm > kSurely_mm && root > best->crest_row) break;  // the first from above counts
-  }
-  return best;
-}
-
 Eigen::Vector3d findNoseTip(const std::vector<Eigen::Vector3d>& skin_mm) {
   // Cells of 4 mm: 6 to 8 of them are the cheeks 25-35 mm beside the nose.
   const FrontRelief relief(skin_mm, {4.0, FrontRelief::FirstRow::bottom, 60.0});

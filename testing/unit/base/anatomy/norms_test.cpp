@@ -17,8 +17,8 @@ std::vector<Norm> allNorms() {
   std::vector<Norm> all{kNormalBrain, kPossibleBrain, kLargestBrain,      kBrainPerHeadBall,
                         kTargetDepth, kScannedHead,   kScannedHeadMiddle, kScannedHeadShortest,
                         kWholeHead,   kScanOfBrain,   kGirthRadius,       kHeadCircumference,
-                        kPupils,      kEyesInSpace,   kNoseRise,          kSocketDepth,
-                        kUnevenFace};
+                        kPupils,      kEyesInSpace,   kFaceLikeness,      kFaceEdge,
+                        kFaceDetail,  kFaceStrength};
   for (const FaceNorm& norm : faceNorms())
     if (norm.adults) all.push_back(*norm.adults);
   return all;

@@ -23,18 +23,14 @@ double nose_mm(double x_mm, double z_mm) {
 }
 
 /// Front half of the skin in steps of 1 mm. `end_z_mm`: the scan ends there.
-std::vector<Eigen::Vector3d> frontOfHead(bool has_nose, double end_z_mm = -110) {
+std::vector<Eigen::Vector3d> frontOfHead(double end_z_mm = -110) {
   std::vector<Eigen::Vector3d> skin;
   for (double z = 114; z >= end_z_mm; z -= 1)
     for (double x = -74; x <= 74; x += 1) {
       const double rest = 1 - x * x / (75.0 * 75.0) - z * z / (115.0 * 115.0);
-      if (rest > 0) skin.push_back({x, 95 * std::sqrt(rest) + (has_nose ? nose_mm(x, z) : 0.0), z});
+      if (rest > 0) skin.push_back({x, 95 * std::sqrt(rest) + nose_mm(x, z), z});
     }
   return skin;
-}
-
-FrontRelief reliefOf(const std::vector<Eigen::Vector3d>& skin) {
-  return FrontRelief(skin, {2.5, FrontRelief::FirstRow::top});
 }
 
 TEST(FrontRelief, KeepsTheForemostOfACellAndSaysWhereThereIsNone) {
@@ -58,36 +54,13 @@ TEST(FrontRelief, CountsRowsFromTheTopOrTheBottom) {
   EXPECT_EQ(up.z_mm(2), 10);
 }
 
-TEST(FrontRelief, FindsTheMidline) {
-  auto skin = frontOfHead(true);
-  for (auto& p : skin) p.x() += 4;
-  const FrontRelief relief = reliefOf(skin);
-  EXPECT_NEAR(relief.x_mm(midlineColumn(relief)) + 1.25, 4.0, 2.5);
-}
-
-TEST(Nose, RisesFromItsRootToItsTip) {
-  const FrontRelief relief = reliefOf(frontOfHead(true));
-  const auto nose = findNoseRise(relief, midlineColumn(relief));
-  ASSERT_TRUE(nose);
-  EXPECT_NEAR(nose->rise_mm, kTipForward_mm, 3.0);
-  EXPECT_NEAR(relief.z_mm(nose->crest_row), kTip_z_mm, 4.0);
-  EXPECT_NEAR(relief.z_mm(nose->root_row), kTip_z_mm + 40, 8.0);
-}
-
-/// Uses the head down to the chin: below it the ellipsoid closes to a point, unlike a head.
-TEST(Nose, AHeadWithoutOneHasNoRise) {
-  const FrontRelief relief = reliefOf(frontOfHead(false, -75));
-  const auto nose = findNoseRise(relief, midlineColumn(relief));
-  EXPECT_LT(nose ? nose->rise_mm : 0.0, 8.0);
-}
-
 TEST(Nose, ItsTipIsFoundToACell) {
   const Eigen::Vector3d tip(0, 95 * std::sqrt(1 - 25.0 * 25 / (115.0 * 115)) + kTipForward_mm, kTip_z_mm);
-  EXPECT_LT((findNoseTip(frontOfHead(true)) - tip).norm(), 4.0);
+  EXPECT_LT((findNoseTip(frontOfHead()) - tip).norm(), 4.0);
 }
 
 TEST(Nose, TheRimStandsForATipThatTheScanCuts) {
-  const Eigen::Vector3d rim = findNoseTip(frontOfHead(true, -10));  // 15 mm above the tip
+  const Eigen::Vector3d rim = findNoseTip(frontOfHead(-10));  // 15 mm above the tip
   EXPECT_NEAR(rim.x(), 0, 4.0);
   EXPECT_NEAR(rim.z(), -10, 6.0);
 }

@@ -223,6 +223,9 @@ TEST(NavigationCheck, WithoutAFaceIsNotUsableAndMeasuresNothing) {
   EXPECT_EQ(check.verdict(), Verdict::not_usable);
   EXPECT_TRUE(check.measures.empty());
   EXPECT_THAT(inWords(check.findings[0]), HasSubstr("ask for the original"));
+  scalp.findings = {"the scan's edge cuts the face off: there is no face to align to"};
+  EXPECT_THAT(inWords(checkForNavigation(ball.mri, ball.mask, scalp).findings[0]),
+              HasSubstr("ask for a field of view"));
 }
 
 TEST(NavigationCheck, VerdictsByTheirWords) {

@@ -108,6 +108,15 @@ void readTraits(const gdcm::DataSet& data, SliceHeader& header) {
   header.acquisition_number = integer(data, {0x0020, 0x0012}, 0);
 }
 
+/// GE states the part of the complex signal in a private element alone: 0 magnitude, 1 phase, 2 real, 3
+/// imaginary.
+std::string gePart(const gdcm::DataSet& data) {
+  if (text(data, {0x0043, 0x0010}) != "GEMS_PARM_01") return "";
+  constexpr const char* kParts[] = {"", "\\P", "\\R", "\\I"};
+  const int part = integer(data, {0x0043, 0x102F}, 0);
+  return part > 0 && part < 4 ? kParts[part] : "";
+}
+
 ImagePlace classicPlace(const gdcm::DataSet& data, const SliceHeader& header) {
   ImagePlace place;
   readPosition(data, place);
@@ -115,7 +124,7 @@ ImagePlace classicPlace(const gdcm::DataSet& data, const SliceHeader& header) {
   readSpacing(data, place);
   readRescale(data, place);
   place.echo_time_ms = number(data, {0x0018, 0x0081}).value_or(0);
-  place.kind = header.image_type;
+  place.kind = header.image_type + gePart(data);
   place.time_index = integer(data, {0x0020, 0x0100}, 0);
   return place;
 }

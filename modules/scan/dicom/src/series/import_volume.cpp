@@ -1,6 +1,7 @@
 #include "facenav/dicom/import_volume.h"
 
 #include <algorithm>
+#include <map>
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
@@ -38,11 +39,32 @@ ImportedVolume importNifti(const fs::path& path, volume::NiftiTransform transfor
               "choose another series or export it again ('facenav series' lists them)");
 }
 
+/// Throws Error if neither skin nor brain can be found in this kind of image.
+void requireSkin(const SeriesInfo& info, const fs::path& input) {
+  if (!isWithoutSkin(info.kind)) return;
+  const fs::path& at = info.files.size() == 1 ? info.files.front() : input;
+  const std::string name = info.description.empty() ? "this series" : "series '" + info.description + "'";
+  throw Error(name + " is " + withArticle(info.kind) + ", in which no skin can be found", at.string(),
+              "choose the magnitude images of a T1 ('facenav series' lists them)");
+}
+
+/// Names what the series are: " (2 phase image, T1 map)"; empty if all are plain images.
+std::string kindsOf(const std::vector<SeriesInfo>& series) {
+  std::map<ImageKind, int> counts;
+  for (const SeriesInfo& info : series)
+    if (info.kind != ImageKind::magnitude) ++counts[info.kind];
+  std::string words;
+  for (const auto& [kind, count] : counts)
+    words += (words.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + " x " : "") + inWords(kind);
+  return words.empty() ? "" : " (" + words + ")";
+}
+
 const SeriesInfo& chooseById(const std::vector<SeriesInfo>& series, const std::string& id,
                              const fs::path& input) {
   for (const auto& info : series)
     if (info.id == id) {
       if (!info.is_loadable) refuse(info, input);
+      requireSkin(info, input);
       return info;
     }
   throw Error("holds no series '" + id + "'", input.string(), "'facenav series' lists them");
@@ -81,11 +103,13 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
     if (info.is_recommended) return info;
   requireOneReading(series, input);
   if (loadable > 1)
-    throw Error("holds " + std::to_string(loadable) + " series, none of them a 3-D T1 of a head",
-                input.string(), "choose one with --series ('facenav series' lists them)");
+    throw Error(
+        "holds " + std::to_string(loadable) + " series, none of them a 3-D T1 of a head" + kindsOf(series),
+        input.string(), "choose one with --series ('facenav series' lists them)");
   const SeriesInfo& only =
       *std::find_if(series.begin(), series.end(), [](const SeriesInfo& s) { return s.is_loadable; });
   if (!largest->is_loadable && largest->slices > only.slices) refuse(*largest, input);
+  requireSkin(only, input);
   return only;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "bytes/damage_error.h"
 #include "bytes/for_files.h"
@@ -9,6 +10,7 @@
 #include "series_groups.h"
 #include "series_scan.h"
 #include "series_verdict.h"
+#include "value_check.h"
 
 namespace facenav::dicom {
 namespace fs = std::filesystem;
@@ -88,6 +90,48 @@ void numberParts(std::vector<SeriesInfo>& series) {
     if (const int count = ++seen[info.series_uid]; count > 1) info.id += "#" + std::to_string(count);
 }
 
+/// A series of a few thick slices in several planes is a localizer, whatever its name.
+void nameLocalizers(std::vector<SeriesInfo>& series) {
+  constexpr int kMostSlices = 30;
+  constexpr double kThick_mm = 3;
+  const auto isThin = [](const SeriesInfo& s) {
+    return s.slices > kMostSlices || (s.spacing_mm[2] > 0 && s.spacing_mm[2] < kThick_mm);
+  };
+  for (SeriesInfo& info : series) {
+    std::set<std::string> planes;
+    bool is_localizer =
+        info.modality == "MR" && info.kind == ImageKind::magnitude && !info.series_uid.empty();
+    for (const SeriesInfo& other : series)
+      if (other.series_uid == info.series_uid) {
+        is_localizer &= !isThin(other);
+        planes.insert(other.plane);
+      }
+    if (!is_localizer || planes.size() < 2) continue;
+    info.kind = ImageKind::localizer;
+    if (info.is_loadable) judgeFitness(info);
+  }
+}
+
+/// Images of another kind among those of a magnitude series leave gaps in it: they are named.
+void nameMixedKinds(std::vector<SeriesInfo>& series) {
+  for (SeriesInfo& info : series) {
+    if (info.is_loadable || info.kind != ImageKind::magnitude || info.series_uid.empty()) continue;
+    for (const SeriesInfo& other : series)
+      if (other.series_uid == info.series_uid && other.kind != info.kind && other.slices < info.slices)
+        info.problem += ": " + std::to_string(other.slices) + " images of this series are of another kind (" +
+                        inWords(other.kind) + ")";
+  }
+}
+
+/// Candidates for the navigation T1 are magnitude images by their values, too.
+void checkValues(std::vector<SeriesInfo>& series) {
+  for (SeriesInfo& info : series) {
+    if (info.kind != ImageKind::magnitude || navigationScore(info) <= 0 || hasDarkAir(info)) continue;
+    info.kind = ImageKind::signed_or_uniform;
+    judgeFitness(info);
+  }
+}
+
 void recommend(std::vector<SeriesInfo>& series) {
   std::stable_sort(series.begin(), series.end(), [](const SeriesInfo& a, const SeriesInfo& b) {
     const double score_a = navigationScore(a), score_b = navigationScore(b);
@@ -160,6 +204,9 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
   numberParts(series);
   applyDamage(series, damaged);
   for (const DamagedFile& damage : damaged) series.push_back(damagedEntry(damage));
+  nameLocalizers(series);
+  nameMixedKinds(series);
+  checkValues(series);
   recommend(series);
   monitor.report("reading DICOM headers", 1.0);
   return series;

@@ -112,22 +112,15 @@ class Grouper {
   static bool has(const std::string& kind, const char* word) {
     return ("\\" + kind + "\\").find(std::string("\\") + word + "\\") != std::string::npos;
   }
-  static bool isPhase(const std::string& kind) {
-    return has(kind, "P") || has(kind, "PHASE") || has(kind, "PHASE MAP");
-  }
-  static bool isReal(const std::string& kind) { return has(kind, "R") || has(kind, "REAL"); }
-  static bool isImaginary(const std::string& kind) { return has(kind, "I") || has(kind, "IMAGINARY"); }
   static bool isMagnitude(const std::string& kind) {
-    return !isPhase(kind) && !isReal(kind) && !isImaginary(kind) &&
-           (has(kind, "M") || has(kind, "MAGNITUDE"));
+    return kindOf(kind, "") == ImageKind::magnitude && (has(kind, "M") || has(kind, "MAGNITUDE"));
   }
 
   static std::string kindInWords(const std::string& kind) {
-    if (isPhase(kind)) return "phase";
-    if (isReal(kind)) return "real part";
-    if (isImaginary(kind)) return "imaginary part";
+    const ImageKind stated = kindOf(kind, "");
+    if (stated == ImageKind::phase) return "phase";
+    if (stated != ImageKind::magnitude) return inWords(stated);
     if (isMagnitude(kind)) return has(kind, "DERIVED") ? "derived magnitude" : "magnitude";
-    if (has(kind, "LOCALIZER")) return "localizer";
     std::string words = kind.empty() ? "no image type" : kind;
     std::replace(words.begin(), words.end(), '\\', '/');
     return words;

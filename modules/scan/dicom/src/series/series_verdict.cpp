@@ -145,10 +145,26 @@ void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers,
                        " dropped");
 }
 
-void describeFitness(SeriesInfo& info) {
+/// The part of Image Type for the group's first image; frames of enhanced files may state none.
+ImageKind kindOfImage(const SliceHeader& header, const ImagePlace& place) {
+  return kindOf(place.kind.empty() ? header.image_type : place.kind, header.description);
+}
+
+}  // namespace
+
+void judgeFitness(SeriesInfo& info) {
   std::vector<std::string> against;
+  if (isMap(info.kind))
+    against.push_back(withArticle(info.kind) + ", not a T1-weighted image");
+  else if (isWithoutSkin(info.kind))
+    against.push_back(withArticle(info.kind) + ", not a magnitude");
+  else if (info.kind == ImageKind::localizer)
+    against.push_back(withArticle(info.kind));
+  else if (info.kind == ImageKind::signed_or_uniform)
+    against.push_back(
+        "a phase image, a real part or an MP2RAGE UNI: its air lies in the middle of its values");
   if (info.modality == "CT") against.push_back("CT: no brain model, the scalp only");
-  if (info.modality == "MR" && info.contrast != "T1")
+  if (info.modality == "MR" && against.empty() && info.contrast != "T1")
     against.push_back(info.contrast.empty() ? "T1 weighting not certain"
                                             : info.contrast + "-weighted, not T1");
   if (info.spacing_mm.maxCoeff() > volume::kNavigationVoxel_mm)
@@ -161,6 +177,8 @@ void describeFitness(SeriesInfo& info) {
   for (const auto& reason : against) info.fitness += (info.fitness.empty() ? "" : "; ") + reason;
 }
 
+namespace {
+
 void addNotes(SeriesInfo& info, const SliceHeader& header) {
   const std::string& syntax = header.layout.transfer_syntax;
   for (const char* lossy : {".4.50", ".4.51", ".4.81", ".4.91"})
@@ -168,6 +186,9 @@ void addNotes(SeriesInfo& info, const SliceHeader& header) {
       info.notes.push_back("compressed, possibly with loss");
   info.has_contrast_agent = !header.contrast_agent.empty();
   if (info.has_contrast_agent) info.notes.push_back("with contrast agent");
+  if (info.kind == ImageKind::uniform)
+    info.notes.push_back(std::string(inWords(info.kind)) + ": T1-weighted, its air may be noise");
+  if (info.kind == ImageKind::inversion) info.notes.push_back(inWords(info.kind));
 }
 
 }  // namespace
@@ -234,7 +255,12 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   info.date = first.date;
   info.part = group.part;
   info.is_magnitude_part = group.is_magnitude_part;
-  info.contrast = contrastOf(first, place.echo_time_ms);
+  info.kind = kindOfImage(first, place);
+  constexpr std::size_t kMostOfALocalizer = 40;
+  if (info.kind == ImageKind::localizer && group.images.size() >= kMostOfALocalizer)
+    info.kind = ImageKind::magnitude;
+  info.contrast = isMap(info.kind) || isWithoutSkin(info.kind) ? inWords(info.kind)
+                                                               : contrastOf(first, place.echo_time_ms);
   info.series_number = first.series_number;
   info.rows = first.voxels.rows;
   info.columns = first.voxels.columns;
@@ -268,12 +294,13 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   collectFiles(info, headers, used);
   info.is_loadable = !hasProblem(info);
   addNotes(info, first);
-  if (info.is_loadable) describeFitness(info);
+  if (info.is_loadable) judgeFitness(info);
   return info;
 }
 
 double navigationScore(const SeriesInfo& info) {
   if (!info.is_loadable || info.modality != "MR") return 0;
+  if (isMap(info.kind) || isWithoutSkin(info.kind) || info.kind == ImageKind::localizer) return 0;
   if (!info.contrast.empty() && info.contrast != "T1") return 0;
   const double coarsest_mm = info.spacing_mm.maxCoeff();
   if (coarsest_mm > 2.0 || info.extent_mm.minCoeff() < 100) return 0;
@@ -283,6 +310,11 @@ double navigationScore(const SeriesInfo& info) {
   if (info.extent_mm.z() >= 200) score += 10;  // includes chin and neck: the whole face
   if (info.has_contrast_agent) score -= 15;
   if (!info.part.empty() && !info.is_magnitude_part) score -= 25;
+  // A T1-weighted magnitude comes before an MP2RAGE UNI, whose air may be noise, and that before its
+  // inversions.
+  if (info.kind == ImageKind::uniform) score -= 60;
+  if (info.kind == ImageKind::inversion) score -= 70;
+  if (info.kind == ImageKind::signed_or_uniform) score -= 80;
   return score;
 }
 

@@ -10,6 +10,9 @@ namespace facenav::dicom {
 /// Describes one group. Reads pixels only to distinguish duplicates from different images at one place.
 SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGroup& group);
 
+/// Sets `is_fit_for_navigation` and `fitness` by what is known of a loadable series.
+void judgeFitness(SeriesInfo& info);
+
 /// Score as the navigation T1; 0 or less: unsuitable.
 double navigationScore(const SeriesInfo& info);
 

@@ -2,173 +2,226 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "facenav/anatomy/face_norms.h"
-#include "facenav/anatomy/nose.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/geometry/rotation.h"
+#include "landmarks/head_frame.h"
 
 namespace facenav::surface {
 namespace {
 
-using anatomy::FrontRelief;
-using anatomy::NoseRise;
+using anatomy::FaceMatch;
+using anatomy::SkinRelief;
+using Eigen::Vector3d;
 
-/// The front of the head, rows from the top down, and the column of its midline.
-struct Front {
-  static constexpr double kCell_mm = 2.5;
-  FrontRelief relief;
-  int midline;
+constexpr double kFaceDepth_mm =
+    110;  // skin further behind the foremost is the head's back, seen through a hole
 
-  explicit Front(const TriangleMesh& scalp)
-      : relief(scalp.vertices_mm, {kCell_mm, FrontRelief::FirstRow::top}), midline(midlineColumn(relief)) {}
-  double at(int row, int column) const { return relief.at(row, column); }
-  int rows() const { return relief.rows(); }
-  int cells(double mm) const { return relief.cells(mm); }
-  double side(int row, double beside_mm) const { return sides_mm(relief, midline, row, beside_mm); }
-  double prominence(int row) const { return prominence_mm(relief, midline, row); }
+/// The skin in the head's own axes, and its relief from the front.
+struct HeadFront {
+  Eigen::Isometry3d head_from_mri;
+  std::vector<Vector3d> head_mm;
+  SkinRelief relief;
+  double top_mm = -1e9, foremost_mm = -1e9;
+
+  HeadFront(const TriangleMesh& scalp, const Eigen::Isometry3d& frame) : head_from_mri(frame) {
+    for (const Vector3d& v : scalp.vertices_mm) {
+      head_mm.push_back(head_from_mri * v);
+      top_mm = std::max(top_mm, head_mm.back().z());
+      foremost_mm = std::max(foremost_mm, head_mm.back().y());
+    }
+    relief = anatomy::reliefFrom(anatomy::Side::front, head_mm, scalp.triangles);
+    for (float& height : relief.height_mm)
+      if (height < foremost_mm - kFaceDepth_mm) height = SkinRelief::kNone;
+  }
 };
 
-/// True if `column` falls back by more than 8 mm within 5 mm below `row`, without coming forward again. An
-/// eye socket also falls back, but the cheek below it comes forward by at least a third of that.
-bool isLedge(const Front& front, int row, int column) {
-  const double above = front.at(row, column), below = front.at(row + 2, column);
-  if (above <= FrontRelief::kNone || below <= FrontRelief::kNone || above - below <= 8) return false;
-  double foremost = below;
-  for (int next = row + 3; next <= row + front.cells(30); ++next)
-    foremost = std::max(foremost, front.at(next, column));
-  return foremost < below + (above - below) / 3;
-}
-
-/// Fraction of the columns 20 to 45 mm beside the midline with a ledge between `from_row` and `to_row`, on
-/// the side with fewer: defacing cuts both sides, a turned head shows the ledge of one brow.
-double ledgeShare(const Front& front, int from_row, int to_row) {
-  int with[2] = {0, 0};
-  for (const int side : {0, 1})
-    for (int c = front.cells(20); c <= front.cells(45); ++c)
-      for (int row = from_row; row + 2 <= to_row; ++row)
-        if (isLedge(front, row, front.midline + (side ? c : -c))) {
-          ++with[side];
-          break;
-        }
-  return double(std::min(with[0], with[1])) / (front.cells(45) - front.cells(20) + 1);
-}
-
-/// Median |left - right| 20 to 40 mm beside the midline, relative to the same on the forehead above, mm.
-double unevenness(const Front& front, int root_row) {
-  std::vector<double> differences;
-  for (int k = front.cells(20); k <= front.cells(40); ++k) {
-    const auto difference = [&](int row) {
-      return front.at(row, front.midline - k) - front.at(row, front.midline + k);
-    };
-    const double turn = difference(std::max(0, root_row - front.cells(35)));
-    for (int row = root_row - front.cells(5); row <= root_row + front.cells(35); ++row)
-      if (front.at(row, front.midline - k) > FrontRelief::kNone &&
-          front.at(row, front.midline + k) > FrontRelief::kNone)
-        differences.push_back(std::abs(difference(row) - turn));
+/// The head's front and the face on it. Where no face is clear, also with the head nodded: a head that nods
+/// back shows the scan's lower end, which hides the likeness.
+std::pair<HeadFront, std::optional<FaceMatch>> findFront(const TriangleMesh& scalp) {
+  constexpr double kNods_deg[] = {-12, 12};
+  const Eigen::Isometry3d level = symmetryFrame(scalp);
+  HeadFront front(scalp, level);
+  auto face = anatomy::findFace(front.relief, front.top_mm);
+  if (face && face->likeness >= anatomy::kClearFaceLikeness) return {std::move(front), face};
+  for (const double nod_deg : kNods_deg) {
+    HeadFront nodding(scalp, Eigen::AngleAxisd(nod_deg * kRadPerDeg, Vector3d::UnitX()) * level);
+    const auto found = anatomy::findFace(nodding.relief, nodding.top_mm);
+    if (found && anatomy::kFaceLikeness.contains(found->likeness) &&
+        (!face || found->likeness > face->likeness))
+      front = std::move(nodding), face = found;
   }
-  return upperMedian(std::move(differences));
+  return {std::move(front), face};
 }
 
-/// Depth of the eyes behind the brow, mm.
-double socketDepth(const Front& front, const NoseRise& nose) {
-  double brow = FrontRelief::kNone, eye = -FrontRelief::kNone;
-  for (int row = nose.root_row - front.cells(30); row <= nose.root_row + front.cells(5); ++row)
-    brow = std::max(brow, front.side(row, 32));
-  for (int row = nose.root_row - front.cells(5); row <= nose.root_row + front.cells(25); ++row) {
-    const double here = front.side(row, 32);
-    if (here > FrontRelief::kNone) eye = std::min(eye, here);
+/// Box of the face (brow to upper lip) or of the forehead, in the relief's axes.
+Eigen::AlignedBox2d boxOf(const FaceMatch& face, double lowest_mm, double highest_mm) {
+  constexpr double kAside_mm = 40;
+  const double s = face.scale;
+  return {Eigen::Vector2d(face.x_mm - s * kAside_mm, face.nasion_mm + s * lowest_mm),
+          Eigen::Vector2d(face.x_mm + s * kAside_mm, face.nasion_mm + s * highest_mm)};
+}
+Eigen::AlignedBox2d faceBox(const FaceMatch& face) { return boxOf(face, -55, 15); }
+Eigen::AlignedBox2d foreheadBox(const FaceMatch& face) { return boxOf(face, 28, 60); }
+
+std::optional<double> detailOf(const HeadFront& front, const FaceMatch& face) {
+  const SkinRelief relief = anatomy::smoothed(front.relief, 1.0);
+  const auto of_face = anatomy::fineRelief_mm(relief, faceBox(face)),
+             of_forehead = anatomy::fineRelief_mm(relief, foreheadBox(face));
+  if (!of_face || !of_forehead || *of_forehead <= 0) return std::nullopt;
+  return *of_face / *of_forehead;
+}
+
+std::optional<double> edgeWidthOf(const HeadFront& front, const FaceMatch& face,
+                                  const std::vector<float>& edge_width_mm) {
+  constexpr double kAboveBrow_mm = 25, kFacing_mm = 70;
+  constexpr std::size_t kEnough = 200;
+  const Eigen::AlignedBox2d box = faceBox(face);
+  std::vector<float> of_face, of_rest;
+  for (std::size_t v = 0; v < edge_width_mm.size(); ++v) {
+    const Vector3d& p = front.head_mm[v];
+    if (face.aboveNasion_mm(p.z()) > kAboveBrow_mm)
+      of_rest.push_back(edge_width_mm[v]);
+    else if (p.y() > front.foremost_mm - kFacing_mm && box.contains(Eigen::Vector2d(p.x(), p.z())))
+      of_face.push_back(edge_width_mm[v]);
   }
-  return brow > FrontRelief::kNone && eye < -FrontRelief::kNone ? brow - eye : 0.0;
+  if (of_face.size() < kEnough || of_rest.size() < kEnough) return std::nullopt;
+  return double(upperMedian(std::move(of_face))) / std::max(1e-3, double(upperMedian(std::move(of_rest))));
 }
 
-/// The lowest row with skin in the middle of the face.
-int lowestRow(const Front& front) {
-  for (int row = front.rows() - 1; row >= 0; --row)
-    if (front.prominence(row) > FrontRelief::kNone || front.side(row, 30) > FrontRelief::kNone) return row;
-  return 0;
+/// The lowest skin of the face, between the cheeks.
+double lowestFace_mm(const HeadFront& front, double x_mm) {
+  constexpr int kCheek_mm = 30;
+  const SkinRelief& relief = front.relief;
+  for (int row = 0; row < relief.rows; ++row) {
+    int cells = 0;
+    for (int x = -kCheek_mm; x <= kCheek_mm; ++x)
+      cells += relief.cell(int(std::lround(x_mm - relief.left_mm)) + x, row) > SkinRelief::kNone;
+    if (cells > kCheek_mm) return relief.bottom_mm + row;
+  }
+  return relief.bottom_mm + relief.rows;
 }
 
-/// Parts of the face that the scan's edges cut.
+/// The foremost skin of the forehead.
+double forehead_mm(const HeadFront& front) {
+  constexpr double kHighest_mm = 30, kLowest_mm = 70;
+  double foremost_mm = -1e9;
+  for (const Vector3d& p : front.head_mm)
+    if (p.z() < front.top_mm - kHighest_mm && p.z() > front.top_mm - kLowest_mm)
+      foremost_mm = std::max(foremost_mm, p.y());
+  return foremost_mm;
+}
+
+/// Parts of the face that the scan's ends cut.
 struct Cuts {
-  bool has_nose = false, has_ear = false, has_forehead = false;
+  int at_nose = 0, at_ear = 0, at_forehead = 0;
+  Eigen::AlignedBox3d hole_mm;  // in the head's axes, cut by ends in front of the face
 };
-Cuts findCuts(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const volume::VoxelGrid& grid,
-              const Front& front, const NoseRise& nose) {
-  int at_nose = 0, at_forehead = 0, at_ear = 0;
-  const double root_z = front.relief.z_mm(nose.root_row), middle_x = front.relief.x_mm(front.midline);
-  for (std::size_t v = 0; v < scalp.vertices_mm.size(); ++v) {
-    if (!neighbours.on_border[v]) continue;
-    const Eigen::Vector3d& p = scalp.vertices_mm[v];
-    const Eigen::Vector3d ijk = grid.toVoxel(Point<Mri>(p));
-    for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector3d across = grid.mri_from_voxel.linear().col(axis).normalized();
-      const bool is_end = ijk[axis] < 0.6 || ijk[axis] > grid.size[axis] - 1.6;
-      if (!is_end) continue;
-      const bool is_frontal = std::abs(across.y()) > 0.7, is_lateral = std::abs(across.x()) > 0.7;
-      const bool is_middle = std::abs(p.x() - middle_x) < 22;
-      if (is_frontal && is_middle && p.z() < root_z && p.z() > root_z - 60) ++at_nose;
-      if (is_frontal && p.z() > root_z) ++at_forehead;
-      if (is_lateral && p.z() < root_z + 30) ++at_ear;
+Cuts findCuts(const HeadFront& front, const MeshNeighbours& neighbours, const ScanEnds& ends, double x_mm,
+              double nasion_mm) {
+  constexpr double kOnEnd_mm = 1.5, kAlong = 0.7, kNose_mm = 60, kHalfNose_mm = 22, kEar_mm = 30,
+                   kCheek_mm = 60;
+  Cuts cuts;
+  for (const auto& [point, out] : ends) {
+    const Vector3d normal = front.head_from_mri.linear() * out.v, on_end = front.head_from_mri * point.mm;
+    if (normal.y() < kAlong && std::abs(normal.x()) < kAlong) continue;
+    for (std::size_t v = 0; v < front.head_mm.size(); ++v) {
+      const Vector3d& p = front.head_mm[v];
+      if (!neighbours.on_border[v] || normal.dot(p - on_end) < -kOnEnd_mm) continue;
+      if (normal.y() < kAlong) {
+        cuts.at_ear += p.z() < nasion_mm + kEar_mm;
+        continue;
+      }
+      cuts.at_forehead += p.z() > nasion_mm;
+      cuts.at_nose +=
+          std::abs(p.x() - x_mm) < kHalfNose_mm && p.z() < nasion_mm && p.z() > nasion_mm - kNose_mm;
+      if (std::abs(p.x() - x_mm) < kCheek_mm) cuts.hole_mm.extend(p);
     }
   }
-  return {at_nose > 5, at_ear > 10, at_forehead > 5};
+  return cuts;
 }
 
-/// The row where the nose ends above the lip: the prominence has fallen to three quarters. nullopt if the
-/// scan ends above it.
-std::optional<int> noseBase(const Front& front, const NoseRise& nose, int last_row) {
-  const double crest = front.prominence(nose.crest_row);
-  for (int row = nose.crest_row + 1; row <= last_row - front.cells(5); ++row)
-    if (const double here = front.prominence(row); here > FrontRelief::kNone && here < 0.75 * crest)
-      return row;
-  return std::nullopt;
-}
-
-/// Describes how much of the face lies above the scan's lower end.
-std::string describeEnd(const Front& front, const NoseRise& nose) {
-  const int last = lowestRow(front);
-  const auto base = noseBase(front, nose, last);
+/// Describes how much of the face lies above the scan's lower end; empty for a whole face.
+std::string describeEnd(const HeadFront& front, const FaceMatch& face) {
+  constexpr double kNoseBase_mm = 45, kLip_mm = 70, kChin_mm = 95;
+  const double below_mm = -face.aboveNasion_mm(lowestFace_mm(front, face.x_mm));
   const std::string rest = ", points of the face below are not used";
-  if (!base) return "the scan ends at mid-nose: alignment rests on forehead, brow and eyes" + rest;
-  const double below_nose_mm = (last - *base) * Front::kCell_mm;
-  if (below_nose_mm < 25) return "the scan ends at the upper lip" + rest;
-  return below_nose_mm < 55 ? "the scan ends above the chin" + rest : "";
+  if (below_mm < kNoseBase_mm)
+    return "the scan ends at mid-nose: alignment rests on forehead, brow and eyes" + rest;
+  if (below_mm < kLip_mm) return "the scan ends at the upper lip" + rest;
+  return below_mm < kChin_mm ? "the scan ends above the chin" + rest : "";
+}
+
+/// Reason why there is no face to align to; empty if there is one.
+std::string describeLack(FaceState state) {
+  switch (state) {
+    case FaceState::removed:
+      return "the face was removed below the brow (a defaced scan): there is no face to align to";
+    case FaceState::blurred:
+      return "the face was blurred or smoothed by a program (a defaced scan): its skin is not the person's";
+    case FaceState::cut_off:
+      return "the scan's edge cuts the face off: there is no face to align to";
+    case FaceState::not_in_scan:
+      return "the scan ends above the nose: there is no face to align to";
+    default:
+      return "";
+  }
 }
 
 }  // namespace
 
-FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours,
-                    const volume::VoxelGrid& grid) {
-  constexpr double kMostLedges = 0.3;  // fitted: with the face cut away, most columns have a ledge
-  FaceCheck check;
-  const Front front(scalp);
-  const auto nose = findNoseRise(front.relief, front.midline);
-  const bool has_nose = nose && anatomy::kNoseRise.contains(nose->rise_mm);
-  const int last = has_nose ? std::min(front.rows() - 1, nose->root_row + front.cells(35))
-                            : front.rows() - 1 - front.cells(20);
-  const bool is_ledged = ledgeShare(front, front.cells(45), last) > kMostLedges;
-  const bool is_uneven = has_nose && unevenness(front, nose->root_row) > anatomy::kUnevenFace.high;
-  const bool has_sockets = has_nose && socketDepth(front, *nose) > anatomy::kSocketDepth.low;
-  if (is_ledged || is_uneven) {
-    check.findings.push_back(
-        "the face was removed below the brow (a defaced scan): there is no face to align to");
-    return check;
+FaceState judgeFace(const FaceEvidence& e) {
+  // No face is 50 mm wide and high so far in front of the forehead: noise in a removed face's place may be.
+  constexpr double kNose_mm = 140, kFaceCut_mm = 50, kAhead_mm = 20;
+  const double likeness = e.match ? e.match->likeness : 0;
+  if (!anatomy::kFaceLikeness.contains(likeness)) {
+    if (e.height_mm < kNose_mm) return FaceState::not_in_scan;
+    const bool is_cut = e.cut_mm > kFaceCut_mm && e.cut_ahead_mm < kAhead_mm;
+    return is_cut ? FaceState::cut_off : FaceState::removed;
   }
-  if (!has_nose || !has_sockets) {
-    check.findings.push_back(front.rows() * Front::kCell_mm < 140
-                                 ? "the scan ends above the nose: there is no face to align to"
-                                 : "no nose and eye sockets found (removed, blurred or shaved off?): there "
-                                   "is no face to align to");
+  const double width = e.edge_width.value_or(1), detail = e.detail.value_or(anatomy::kFaceDetail.low);
+  const bool is_smooth = !anatomy::kFaceDetail.contains(detail),
+             is_flat = !anatomy::kFaceStrength.contains(e.match->strength);
+  if (!anatomy::kFaceEdge.contains(width) || (is_smooth && is_flat)) return FaceState::blurred;
+  const bool is_clear =
+      likeness >= anatomy::kClearFaceLikeness && width <= anatomy::kClearFaceEdge && !is_smooth;
+  return is_clear ? FaceState::whole : FaceState::unclear;
+}
+
+FaceCheck checkFace(const TriangleMesh& scalp, const MeshNeighbours& neighbours, const ScanEnds& ends,
+                    const std::vector<float>& edge_width_mm) {
+  const auto [front, match] = findFront(scalp);
+  FaceCheck check;
+  FaceEvidence& evidence = check.evidence;
+  evidence.match = match;
+  const FaceMatch face = evidence.match.value_or(FaceMatch{});
+  const Cuts cuts = findCuts(front, neighbours, ends, face.x_mm, face.nasion_mm);
+  if (!cuts.hole_mm.isEmpty()) {
+    evidence.cut_mm = std::min(cuts.hole_mm.sizes().x(), cuts.hole_mm.sizes().z());
+    evidence.cut_ahead_mm = cuts.hole_mm.center().y() - forehead_mm(front);
+  }
+  evidence.height_mm = front.top_mm - lowestFace_mm(front, face.x_mm);
+  if (evidence.match) {
+    evidence.detail = detailOf(front, face);
+    evidence.edge_width = edgeWidthOf(front, face, edge_width_mm);
+  }
+  check.state = judgeFace(evidence);
+  if (const std::string lack = describeLack(check.state); !lack.empty()) {
+    check.findings.push_back(lack);
     return check;
   }
   check.has_face = true;
-  if (const std::string end = describeEnd(front, *nose); !end.empty()) check.findings.push_back(end);
-  const Cuts cuts = findCuts(scalp, neighbours, grid, front, *nose);
-  if (cuts.has_nose) check.findings.push_back("the nose tip is cut by the scan's edge");
-  if (cuts.has_forehead) check.findings.push_back("the forehead touches the scan's edge");
-  check.has_cut_ear = cuts.has_ear;
-  if (cuts.has_ear) check.findings.push_back("an ear is cut by the scan's edge");
+  if (check.state == FaceState::unclear)
+    check.findings.push_back(
+        "brow, eyes and nose are hard to make out (partly removed, smoothed or unusual): look at the skin "
+        "before "
+        "aligning");
+  if (const std::string end = describeEnd(front, face); !end.empty()) check.findings.push_back(end);
+  if (cuts.at_nose > 5) check.findings.push_back("the nose tip is cut by the scan's edge");
+  if (cuts.at_forehead > 5) check.findings.push_back("the forehead touches the scan's edge");
+  check.has_cut_ear = cuts.at_ear > 10;
+  if (check.has_cut_ear) check.findings.push_back("an ear is cut by the scan's edge");
   return check;
 }
 

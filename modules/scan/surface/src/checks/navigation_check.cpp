@@ -24,7 +24,8 @@ CheckFinding checkFacePresence(const ScalpSurface& scalp) {
   for (std::size_t i = 0; i < of_face; ++i) words += (i == 0 ? "" : "; ") + scalp.findings[i];
   if (!scalp.has_face)
     return {CheckTopic::face, Verdict::not_usable, words.empty() ? "there is no face to align to" : words,
-            std::string("the original, not defaced images; ") + kWholeHead};
+            (words.find("defaced") == std::string::npos ? "" : "the original, not defaced images; ") +
+                std::string(kWholeHead)};
   if (!words.empty()) return {CheckTopic::face, Verdict::caution, words, kWholeHead};
   return {CheckTopic::face, Verdict::fine, "brow, eyes and nose are there, whole", ""};
 }

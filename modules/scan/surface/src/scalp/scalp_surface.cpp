@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "checks/face_check.h"
+#include "edge_width.h"
 #include "facenav/core/error.h"
 #include "masked_air.h"
 #include "scalp_edge.h"
@@ -52,7 +53,8 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   moveOntoEdge(scalp.mesh, neighbours, scan, {3.0, 3.0, 0.5, 3, 0.7, is_erased});
   scalp.doubt_mm = skinDoubt_mm(scalp.mesh, neighbours, volume, head);
   scalp.field_of_view = endsOf(volume.grid);
-  const FaceCheck face = checkFace(scalp.mesh, neighbours, volume.grid);
+  const FaceCheck face =
+      checkFace(scalp.mesh, neighbours, scalp.field_of_view, edgeWidth_mm(scalp.mesh, volume));
   scalp.has_face = face.has_face;
   scalp.has_cut_ear = face.has_cut_ear;
   scalp.findings = face.findings;

@@ -29,12 +29,20 @@ inline constexpr Norm kEyesInSpace("distance of the eyes, triangulated", "mm", k
                                    kPupils.high + 8, "adults, both sexes",
                                    "the pupils' range with a margin for landmarks placed badly");
 
-/// Tests whether the skin of a scan has a face: defaced or cut scans fail. See facenav/anatomy/nose.h.
-inline constexpr Norm kNoseRise("nose before the face, more than the forehead is", "mm", 8, kNoLimit,
-                                "adults", "fitted: on the heads at hand, 17 to 22");
-inline constexpr Norm kSocketDepth("eyes behind the brow", "mm", 2.5, kNoLimit, "adults",
-                                   "fitted: on the heads at hand, 11 to 17");
-inline constexpr Norm kUnevenFace("median difference of both sides of the face", "mm", 0, 6, "adults",
-                                  "fitted: on the heads at hand, 1 to 3; a face cut away has 9");
+/// Limits of the face check (surface's face_check.h). Chosen on eight labelled heads with even numbers,
+/// painted as T1, and on faces removed, filled with noise, sheared off, blurred by 4 and 7 mm and smoothed by
+/// 10 mm from five of them.
+inline constexpr Norm kFaceLikeness("correlation of the skin's relief with the mean face", "1", 0.70, 1,
+                                    "adults", "fitted: whole 0.79 to 0.98, removed 0.35 to 0.63");
+inline constexpr Norm kFaceEdge("width of the skin's edge in the face over that of the upper head", "1", 0,
+                                1.8, "any head", "fitted: whole 0.98 to 1.15, blurred 2.8 to 3.9");
+/// A smoothed face lies below both of these.
+inline constexpr Norm kFaceDetail("fine relief of the face over that of the forehead", "1", 1.5, kNoLimit,
+                                  "adults",
+                                  "fitted: whole 2.7 to 4.9 (one torn nose 1.2), smoothed 0.8 to 1.1");
+inline constexpr Norm kFaceStrength("height of the face's relief over the mean face's", "1", 0.62, kNoLimit,
+                                    "adults", "fitted: whole 0.78 to 1.12, smoothed 0.37 to 0.57");
+/// A face that is less like one, or has wider edges, is usable with a caution.
+inline constexpr double kClearFaceLikeness = 0.8, kClearFaceEdge = 1.4;
 
 }  // namespace facenav::anatomy

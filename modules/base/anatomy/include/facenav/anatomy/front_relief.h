@@ -1,7 +1,7 @@
 #pragma once
 // The front of the head as a relief: how far forward (Mri +y) the skin lies over a grid of x and z. Used to
-// find the nose (nose.h) and to distinguish a face from a defaced scan (surface's face check). Coarse cells
-// from points, in Mri. skin_relief.h is finer, made of triangles, in the head's own axes.
+// find the nose (nose.h). Coarse cells from points, in Mri. skin_relief.h is finer, made of triangles, in the
+// head's own axes.
 
 #include <Eigen/Core>
 #include <limits>
@@ -40,8 +40,6 @@ class FrontRelief {
     return {left_mm_ + (column + 0.5) * grid_.cell_mm, at(row, column),
             first_z_mm_ + z_sign_ * (row + 0.5) * grid_.cell_mm};
   }
-  /// A distance as a number of cells, rounded.
-  int cells(double mm) const;
 
  private:
   Grid grid_;
@@ -49,8 +47,5 @@ class FrontRelief {
   int columns_ = 0, rows_ = 0;
   std::vector<double> forward_mm_;
 };
-
-/// The column about which the front is most symmetric, corrected for the head's rotation.
-int midlineColumn(const FrontRelief& relief);
 
 }  // namespace facenav::anatomy

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "facenav/core/task_monitor.h"
+#include "facenav/dicom/image_kind.h"
 #include "facenav/dicom/joined_slices.h"
 #include "facenav/volume/volume.h"
 
@@ -40,7 +41,8 @@ struct SeriesInfo {
   std::optional<JoinedSlices> joined;       // the slices carry different UIDs and were joined
   bool is_magnitude_part = false;           // the other parts of the UID show that this one is magnitude
   bool has_contrast_agent = false;
-  std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", ..; empty: unknown
+  ImageKind kind = ImageKind::magnitude;  // magnitude, phase, map, .., by header and values
+  std::string contrast;  // "T1", "T2", "FLAIR", "diffusion", .., "phase image", "T1 map"; empty: unknown
   int series_number = 0;
   std::optional<int> patient;  // 1, 2, .. among the series listed together; see patient.h
   int rows = 0, columns = 0, slices = 0;
