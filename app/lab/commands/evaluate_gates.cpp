@@ -44,10 +44,10 @@ std::vector<std::uint64_t> seedsOf(const GatesRequest& request) {
   return seeds;
 }
 
-/// The table on disk, a line as soon as it is known.
-class GateFile {
+/// The table on disk, a line as soon as it is known, and the summary so far.
+class GateFiles {
  public:
-  explicit GateFile(const fs::path& folder) {
+  explicit GateFiles(const fs::path& folder) : folder_(folder) {
     if (folder.empty()) return;
     const fs::path file = folder / "worlds.csv";
     if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(file))
@@ -57,33 +57,49 @@ class GateFile {
     stream_.open(file);
     stream_ << gateHeader() << std::flush;
   }
-  void add(const GateRow& row) {
-    if (stream_.is_open()) stream_ << gateLine(row) << std::flush;
+  void add(const std::vector<GateRow>& rows) {
+    if (folder_.empty()) return;
+    stream_ << gateLine(rows.back()) << std::flush;
+    writeWholeFile(folder_ / "worlds.md", gateSummary(rows));
   }
 
  private:
+  fs::path folder_;
   std::ofstream stream_;
 };
 
+/// Runs one trial. A world that cannot be made is left out, with a note.
+void addTrial(Context& context, GateHeads& heads, const GatesRequest& request, std::uint64_t seed,
+              room::WorldFault fault, std::vector<GateRow>& rows) {
+  const ScratchFolder scratch;
+  const bool is_kept = request.keeps_pictures && !request.output.empty();
+  const fs::path kept = request.output / (std::to_string(seed) + "_" + room::nameOf(fault));
+  try {
+    rows.push_back(runGateTrial(context, heads, seed, fault, is_kept ? kept : scratch.path()));
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& failure) {
+    std::fprintf(stderr, "facenav: note: world %llu, %s, is left out: %s\n",
+                 static_cast<unsigned long long>(seed), room::nameOf(fault).c_str(), failure.what());
+  }
+}
+
 void runGates(Context& context, const GatesRequest& request) {
   GateHeads heads(context, request.labels);
-  GateFile file(request.output);
+  GateFiles files(request.output);
   const auto seeds = seedsOf(request);
   const auto faults = faultsOf(request.fault);
   std::vector<GateRow> rows;
+  double done = 0;
   for (const auto seed : seeds)
     for (const auto fault : faults) {
-      const std::string name = "world " + std::to_string(seed) + ", " + room::nameOf(fault);
-      context.monitor.report(name, double(rows.size()) / double(seeds.size() * faults.size()));
-      const ScratchFolder scratch;
-      const bool is_kept = request.keeps_pictures && !request.output.empty();
-      const fs::path kept = request.output / (std::to_string(seed) + "_" + room::nameOf(fault));
-      rows.push_back(runGateTrial(context, heads, seed, fault, is_kept ? kept : scratch.path()));
-      file.add(rows.back());
+      context.monitor.report("world " + std::to_string(seed) + ", " + room::nameOf(fault),
+                             done++ / double(seeds.size() * faults.size()));
+      const std::size_t before = rows.size();
+      addTrial(context, heads, request, seed, fault, rows);
+      if (rows.size() > before) files.add(rows);
     }
-  const std::string summary = gateSummary(rows);
-  if (!request.output.empty()) writeWholeFile(request.output / "worlds.md", summary);
-  if (!context.is_quiet) std::printf("%s", summary.c_str());
+  if (!context.is_quiet) std::printf("%s", gateSummary(rows).c_str());
 }
 
 }  // namespace

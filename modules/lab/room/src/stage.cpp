@@ -96,12 +96,14 @@ struct Stage::Implementation {
   std::optional<Cast> shown;                 // as set
   std::array<std::optional<View>, 2> views;  // of that cast, once rendered
 
-  Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
+  Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p,
+                 const RoomWall& w)
       : rig(r),
         camera_T_room(cameraFromRoom(r, roll_deg)),
         patient(std::move(p)),
         face(*patient),
         face_vertices(spreadOverFace(*patient)),
+        wall(w),
         rays{CameraRays(r.left, r.width_px, r.height_px, Eigen::Isometry3d::Identity()),
              CameraRays(r.right, r.width_px, r.height_px, r.right_T_left.isometry())},
         renderers{Renderer(rays[0], wallIn(0)), Renderer(rays[1], wallIn(1))} {}
@@ -228,8 +230,8 @@ struct Stage::Implementation {
 
 Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
              std::shared_ptr<const VirtualPatient> patient, const RoomCoil& coil,
-             const std::array<FilmOptions, 2>& films)
-    : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient))) {
+             const std::array<FilmOptions, 2>& films, const RoomWall& wall)
+    : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient), wall)) {
   auto& all = *implementation_;
   all.coil = coil;
   all.films = films;
@@ -243,13 +245,6 @@ Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
 }
 
 Stage::~Stage() = default;
-
-void Stage::setWall(const RoomWall& wall) {
-  auto& all = *implementation_;
-  all.wall = wall;
-  all.views = {};
-  for (std::size_t camera : {0, 1}) all.renderers[camera].setBackdrop(all.wallIn(camera));
-}
 
 void Stage::addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look, Carrier carrier) {
   if (mesh.triangles.empty()) return;

@@ -72,11 +72,9 @@ struct Cast {
 class Stage {
  public:
   Stage(const cameras::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
-        const RoomCoil& coil, const std::array<FilmOptions, 2>& films);
+        const RoomCoil& coil, const std::array<FilmOptions, 2>& films, const RoomWall& wall = {});
   ~Stage();
 
-  /// Replaces the wall behind the patient, before the first picture.
-  void setWall(const RoomWall& wall);
   /// Adds something that the patient wears, in Mri; not worn by a stranger.
   void addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look, Carrier carrier);
   /// Sets the exposure of both films.

@@ -66,7 +66,6 @@ class FabricLook : public Look {
     const double weave = 0.03 * sharedNoise().at(p, 1.0) + 0.05 * sharedNoise().at(p, 25.0);
     return {float(albedo_ * std::max(0.05, 1.0 + printed + weave)), 0.005f};
   }
-  bool isPrinted() const override { return pattern_ != Pattern::none; }
 
  private:
   Pattern pattern_;

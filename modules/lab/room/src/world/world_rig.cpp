@@ -52,6 +52,8 @@ cameras::StereoRig calibratedRig(const World& world, const cameras::StereoRig& t
   Dice dice(world.seed * 977 + 31);
   std::vector<cameras::BoardView> views;
   for (int tried = 0; tried < 20000 && int(views.size()) < drawn.board_views; ++tried) {
+    // Where both cameras see little in common, the board comes nearer to the borders.
+    const double share = tried < 5000 ? drawn.board_share : 0.98;
     const double depth_mm = drawn.distance_mm * dice.between(0.75, 1.3);
     const double half_mm = 0.5 * depth_mm / drawn.rig.focal_px;
     Eigen::Isometry3d room_T_board = Eigen::Isometry3d::Identity();
@@ -62,9 +64,8 @@ cameras::StereoRig calibratedRig(const World& world, const cameras::StereoRig& t
         room_T_board.linear() * middle_mm;
     const Eigen::Isometry3d camera_T_board = camera_T_room * room_T_board;
     cameras::BoardView view;
-    view.left = seenBy(truth.left, truth, camera_T_board, corners, drawn.board_share);
-    view.right = seenBy(truth.right, truth, truth.right_T_left.isometry() * camera_T_board, corners,
-                        drawn.board_share);
+    view.left = seenBy(truth.left, truth, camera_T_board, corners, share);
+    view.right = seenBy(truth.right, truth, truth.right_T_left.isometry() * camera_T_board, corners, share);
     if (view.left.empty() || view.right.empty()) continue;
     blur(dice, drawn.corner_px, view.left);
     blur(dice, drawn.corner_px, view.right);

@@ -56,8 +56,7 @@ struct WorldRoom::Implementation {
         fault(f),
         person(std::move(p)),
         rig(trueRig(w)),
-        stage(rig, w.cameras.rig.roll_deg, person, RoomCoil{}, filmsOf(w.film)) {
-    stage.setWall(world.wall);
+        stage(rig, w.cameras.rig.roll_deg, person, RoomCoil{}, filmsOf(w.film), w.wall) {
     dress();
     setExposure();
   }
