@@ -123,7 +123,8 @@ void noteAlignment(const Trial& trial, GateRow& row) {
   const auto bound = alignment->predicted_tre_p95_mm.find(kTarget);
   if (bound != alignment->predicted_tre_p95_mm.end()) row.bound_mm = bound->second;
   for (const auto& caution : alignment->cautions)
-    for (const auto& name : faultsNamedIn(caution)) row.named.insert(name);
+    for (const auto& name : faultsNamedIn(caution))
+      if (name != "other_person") row.named.insert(name);  // a caution only asks to check that
 }
 
 void noteFrame(const session::NavigationState& state, const Trial& trial, GateRow& row,

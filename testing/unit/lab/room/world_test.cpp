@@ -113,12 +113,14 @@ TEST(WorldRoom, RendersTheSamePicturesAgainWithTheDrawnGreyOfTheFace) {
   EXPECT_EQ(frame.left.size(), cv::Size(world.cameras.rig.width_px, world.cameras.rig.height_px));
   const auto pair = room.capture();
   EXPECT_EQ(pair.pattern.left.empty(), !world.dots.is_on);
-  // A patch in the middle of the head, exposed for a mean grey of 90 over the whole of it.
+  // A patch in the middle of the head: half the drawn grey gives half of it, whatever the tone.
   const Eigen::Vector2d at =
       cameras::project(trueRig(world).left, room.captureTruth().isometry() * person->face_middle.mm);
   const cv::Rect patch(int(at.x()) - 3, int(at.y()) - 3, 7, 7);
-  EXPECT_NEAR(cv::mean(pair.plain.left(patch))[0], 90.0, 60.0);
-  EXPECT_GT(cv::mean(pair.plain.left(patch))[0], 10.0);
+  const double grey = cv::mean(pair.plain.left(patch))[0];
+  world.film.face_grey = 45.0;
+  EXPECT_NEAR(cv::mean(WorldRoom(world, {}, person).capture().plain.left(patch))[0], 0.5 * grey, 1.0);
+  EXPECT_LT(grey, 250.0) << "not clipped";
 }
 
 TEST(WorldRoom, FaultsChangeThePicturesAsTheySay) {
@@ -130,7 +132,7 @@ TEST(WorldRoom, FaultsChangeThePicturesAsTheySay) {
   const auto right = WorldRoom(world, {}, person).frame(2);
   const auto late = WorldRoom(world, fault, person).frame(2);
   EXPECT_EQ(difference(right.left, late.left), 0.0);
-  EXPECT_GT(difference(right.right, late.right), 1.0);
+  EXPECT_GT(difference(right.right, late.right), 0.3);
   fault = {};
   fault.kind = WorldFault::swapped;
   const auto swapped = WorldRoom(world, fault, person).frame(2);
@@ -140,7 +142,7 @@ TEST(WorldRoom, FaultsChangeThePicturesAsTheySay) {
   WorldRoom frozen(world, fault, person);
   const auto before = frozen.frame(kFirstFrames - 1), after = frozen.frame(kFirstFrames);
   EXPECT_EQ(difference(before.right, after.right), 0.0);
-  EXPECT_GT(difference(before.left, after.left), 1.0);
+  EXPECT_GT(difference(before.left, after.left), 0.3);
 }
 
 TEST(WorldRoom, ACalibrationFindsTheCamerasWithinItsErrors) {

@@ -63,7 +63,7 @@ class FabricLook : public Look {
     const Eigen::Vector3d& p = point.p_object_mm;
     const double printed = contrast_ * patternAt(pattern_, period_mm_, cosine_ * p.x() + sine_ * p.z(),
                                                  cosine_ * p.z() - sine_ * p.x());
-    const double weave = 0.03 * sharedNoise().at(p, 1.0) + 0.05 * sharedNoise().at(p, 25.0);
+    const double weave = 0.04 * sharedNoise().at(p, 1.5);
     return {float(albedo_ * std::max(0.05, 1.0 + printed + weave)), 0.005f};
   }
 

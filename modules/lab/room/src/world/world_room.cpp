@@ -87,15 +87,13 @@ struct WorldRoom::Implementation {
   }
 
   RigidTransform<Room, Mri> headAt(double time_s, const WorldMoment& moment) const {
-    // A slow swing: its highest speed is the drawn one.
-    constexpr double kSwing_mm = 12.0;
-    const double phase = world.speed_mm_s * time_s / kSwing_mm + double(world.seed % 7);
+    // A slow swing that starts at the capture, at rest in its place; its highest speed is the drawn one.
+    constexpr double kSwing_mm = 8.0;
+    const double start = double(world.seed % 7), phase = start + world.speed_mm_s * time_s / kSwing_mm;
     WorldMoment now = moment;
-    const Eigen::Vector3d along = Eigen::Vector3d(1.0, 0.3, 0.5).normalized();
-    if (time_s > 0.0 || fault.kind == WorldFault::out_of_step) {
-      now.shift_mm += kSwing_mm * std::sin(phase) * along;
-      now.turn_deg.y() += 2.0 * std::sin(0.7 * phase);
-    }
+    now.shift_mm +=
+        kSwing_mm * (std::sin(phase) - std::sin(start)) * Eigen::Vector3d(1.0, 0.3, 0.5).normalized();
+    now.turn_deg.y() += 2.0 * (std::sin(0.7 * phase) - std::sin(0.7 * start));
     return facePose(world, now, person->face_middle);
   }
 

@@ -8,6 +8,7 @@ namespace facenav::room {
 namespace {
 
 constexpr double kMargin_px = 6.0;
+constexpr double kLargest = 1.1;  // of the drawn sizes of a head
 
 bool isInside(const cameras::CameraModel& camera, const cameras::StereoRig& rig,
               const Eigen::Vector3d& p_mm) {
@@ -39,10 +40,9 @@ bool isFaceInView(const World& world, const WorldMoment& moment) {
   const auto rig = trueRig(world);
   const auto camera_T_mri =
       cameraFromRoom(rig, world.cameras.rig.roll_deg) * facePose(world, moment, Point<Mri>(0, 0, 0));
-  const double size = world.person.scale.maxCoeff();
   for (const double x : {-72.0, 72.0})
     for (const double z : {-85.0, 95.0}) {
-      const Eigen::Vector3d p_mm = (camera_T_mri * Point<Mri>(size * x, -20.0, size * z)).mm;
+      const Eigen::Vector3d p_mm = (camera_T_mri * Point<Mri>(kLargest * x, -20.0, kLargest * z)).mm;
       if (!isInside(rig.left, rig, p_mm)) return false;
       if (!isInside(rig.right, rig, rig.right_T_left.isometry() * p_mm)) return false;
     }

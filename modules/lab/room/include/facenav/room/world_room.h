@@ -11,7 +11,7 @@
 namespace facenav::room {
 
 /// Frames of the two moments, their rate, and the time between the moments.
-constexpr int kFirstFrames = 8, kSecondFrames = 12;
+constexpr int kFirstFrames = 6, kSecondFrames = 9;
 constexpr double kWorldFrames_per_s = 30.0, kWorldGap_s = 1.5;
 
 /// The cameras as they stand.
