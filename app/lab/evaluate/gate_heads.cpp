@@ -1,6 +1,8 @@
 #include "evaluate/gate_heads.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "evaluate/evaluation_head.h"
 #include "facenav/core/error.h"
@@ -33,6 +35,20 @@ surface::ScalpSurface shaped(surface::ScalpSurface scalp, const room::PersonShap
   return scalp;
 }
 
+/// True if the scan has a face and the room's landmarks lie on it: the nose's tip is the foremost place
+/// between chin and bridge. The room finds landmarks on a rendering without eyes, and errs on some heads.
+bool hasRightFace(const surface::ScalpSurface& scalp, const room::VirtualPatient& person) {
+  constexpr double kTip_mm = 12.0, kMiddle_mm = 30.0;
+  const auto& l = person.landmarks68_mm;
+  if (!scalp.has_face || l.empty()) return false;
+  Eigen::Vector3d foremost(0, -1e9, 0);
+  for (const auto& p : person.skin.vertices_mm)
+    if (p.z() > l[8].z() && p.z() < l[27].z() && std::abs(p.x() - l[30].x()) < kMiddle_mm &&
+        p.y() > foremost.y())
+      foremost = p;
+  return (foremost - l[30]).norm() < kTip_mm;
+}
+
 }  // namespace
 
 GateHeads::GateHeads(Context& context, fs::path labels) : context_(context), specs_{"patient"} {
@@ -46,14 +62,18 @@ const GateHeads::Base& GateHeads::base(std::size_t number) {
   const auto found = bases_.find(number);
   if (found != bases_.end()) return found->second;
   auto head = makeEvaluationHead(context_, specs_[number]);
-  return bases_[number] = {std::move(head.scalp), std::move(head.patient)};
+  const bool has_face = hasRightFace(head.scalp, *head.patient);
+  if (!has_face)
+    std::fprintf(stderr, "facenav: note: head %s is passed over: its face, or its nose, is not found\n",
+                 specs_[number].c_str());
+  return bases_[number] = {std::move(head.scalp), std::move(head.patient), has_face};
 }
 
 WorldHead GateHeads::of(const room::World& world, std::size_t further) {
   std::size_t number = std::min(specs_.size() - 1, std::size_t(world.person.head * double(specs_.size())));
-  // A head without a face (the room's portrait finds no place, or the scan ends above it) is passed over.
+  // A head without a face is passed over: the scan ends above it, or the room's portrait would be misplaced.
   const auto passFaceless = [&] {
-    for (std::size_t tried = 0; !base(number).hasFace(); ++tried) {
+    for (std::size_t tried = 0; !base(number).has_face; ++tried) {
       if (tried == specs_.size())
         throw Error("no face is found in any head", specs_[number], "give other --labels");
       number = (number + 1) % specs_.size();

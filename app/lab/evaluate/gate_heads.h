@@ -34,7 +34,7 @@ class GateHeads {
   struct Base {
     surface::ScalpSurface scalp;
     std::shared_ptr<const room::VirtualPatient> person;
-    bool hasFace() const { return scalp.has_face && !person->landmarks68_mm.empty(); }
+    bool has_face = false;
   };
   const Base& base(std::size_t number);
 
