@@ -243,10 +243,9 @@ void addEvaluate(CLI::App& app, Context& context) {
   addEvaluateSkin(*verb, context);
   addEvaluatePairs(*verb, context);
   addEvaluateReturn(*verb, context);
+  addEvaluateGates(*verb, context);
   verb->callback([&context, request, verb] {
-    if (verb->got_subcommand("prepare") || verb->got_subcommand("rigs") || verb->got_subcommand("pairs") ||
-        verb->got_subcommand("return"))
-      return;
+    if (!verb->get_subcommands().empty()) return;
     runRequested(context, *request);
   });
 }

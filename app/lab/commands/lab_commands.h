@@ -11,6 +11,8 @@ void addEvaluate(CLI::App& app, Context& context);
 void addEvaluatePrepare(CLI::App& evaluate, Context& context);
 /// Adds `facenav evaluate rigs` below evaluate.
 void addEvaluateRigs(CLI::App& evaluate, Context& context);
+/// Adds `facenav evaluate gates` below evaluate.
+void addEvaluateGates(CLI::App& evaluate, Context& context);
 void addEvaluateSkin(CLI::App& evaluate, Context& context);
 /// Adds `facenav evaluate return` below evaluate.
 void addEvaluateReturn(CLI::App& evaluate, Context& context);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <random>
 
+#include "evaluate/mirrored_scan.h"
 #include "facenav/align/automatic_capture.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/geometry/rigid_fit.h"
@@ -131,16 +132,6 @@ cameras::StereoFrame takenByItself(const Sitting& sitting, const Methods& method
     if (still.add(frame)) return still.still();
   }
   return room.captureWithCoil();
-}
-
-/// Exchanges left and right of the scan.
-surface::ScalpSurface mirrored(surface::ScalpSurface scalp) {
-  for (auto& p : scalp.mesh.vertices_mm) p.x() = -p.x();
-  for (auto& n : scalp.mesh.normals) n.x() = -n.x();
-  for (auto& triangle : scalp.mesh.triangles) std::swap(triangle[1], triangle[2]);
-  for (auto& [point, normal] : scalp.field_of_view)
-    point.mm.x() = -point.mm.x(), normal.v.x() = -normal.v.x();
-  return scalp;
 }
 
 /// The calibration before the right camera was rotated about an axis drawn from the seed.

@@ -1,7 +1,6 @@
 #include "evaluate/synthetic_prepare.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "evaluate/scratch_folder.h"
 #include "facenav/evaluation/synthetic_head.h"
@@ -12,9 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path labelsFolder(const SyntheticPrepare& synthetic) {
-  if (synthetic.labels) return *synthetic.labels;
-  const char* shared = std::getenv("FACENAV_SHARED_DATA");
-  return fs::path(shared && *shared ? shared : "../shared/data") / "head_labels";
+  return synthetic.labels ? *synthetic.labels : evaluation::sharedHeadLabels();
 }
 
 std::string nameOf(const fs::path& nifti) { return nifti.stem().stem().string(); }

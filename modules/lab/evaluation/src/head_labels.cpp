@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -67,6 +68,11 @@ LabelledHead readLabelledHead(const fs::path& nifti) {
     head.labels.push_back(std::uint16_t(value));
   }
   return head;
+}
+
+fs::path sharedHeadLabels() {
+  const char* shared = std::getenv("FACENAV_SHARED_DATA");
+  return fs::path(shared && *shared ? shared : "../shared/data") / "head_labels";
 }
 
 std::vector<fs::path> labelledHeads(const fs::path& folder) {

@@ -5,6 +5,7 @@
 
 #include "facenav/stereo/dot_pattern.h"
 #include "optics/shapes.h"
+#include "optics/wall.h"
 #include "patient/face_mask.h"
 #include "patient/face_shape.h"
 #include "patient/glasses.h"
@@ -16,8 +17,6 @@
 
 namespace facenav::room {
 namespace {
-
-constexpr double kWall_mm = 2300.0;
 
 /// Skin vertices within 65 mm of the face's middle that face forward, every few millimetres.
 std::vector<int> spreadOverFace(const VirtualPatient& patient) {
@@ -53,7 +52,8 @@ bool Cast::operator==(const Cast& other) const {
   return room_T_mri.matrix() == other.room_T_mri.matrix() && isSame(room_T_coil, other.room_T_coil) &&
          isSame(room_T_hand, other.room_T_hand) && lamp_scale == other.lamp_scale &&
          ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm && dots == other.dots &&
-         shown.data == other.shown.data && wetness == other.wetness && gloss == other.gloss &&
+         shown.data == other.shown.data && shown_strength == other.shown_strength && lamps == other.lamps &&
+         isSame(room_T_body, other.room_T_body) && wetness == other.wetness && gloss == other.gloss &&
          has_mask == other.has_mask && has_glasses == other.has_glasses && stranger == other.stranger &&
          jaw_mm == other.jaw_mm && lids == other.lids && expression == other.expression &&
          hair == other.hair && right_moved.matrix() == other.right_moved.matrix();
@@ -84,29 +84,40 @@ struct Stage::Implementation {
     Locks locks;
   };
   std::map<std::uint64_t, Stranger> strangers;  // created at their first appearance
+  struct Prop {
+    int object = -1;
+    Carrier carrier = Carrier::head;
+  };
+  std::vector<Prop> props;
+  RoomWall wall;
   std::array<CameraRays, 2> rays;
   std::array<Renderer, 2> renderers;
   Lighting lighting;
   std::optional<Cast> shown;                 // as set
   std::array<std::optional<View>, 2> views;  // of that cast, once rendered
 
-  Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p)
+  Implementation(const cameras::StereoRig& r, double roll_deg, std::shared_ptr<const VirtualPatient> p,
+                 const RoomWall& w)
       : rig(r),
         camera_T_room(cameraFromRoom(r, roll_deg)),
         patient(std::move(p)),
         face(*patient),
         face_vertices(spreadOverFace(*patient)),
+        wall(w),
         rays{CameraRays(r.left, r.width_px, r.height_px, Eigen::Isometry3d::Identity()),
              CameraRays(r.right, r.width_px, r.height_px, r.right_T_left.isometry())},
-        renderers{Renderer(rays[0], renderBackdrop(rays[0], camera_T_room.inverse().isometry(), kWall_mm)),
-                  Renderer(rays[1], renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm))} {}
+        renderers{Renderer(rays[0], wallIn(0)), Renderer(rays[1], wallIn(1))} {}
+
+  cv::Mat wallIn(std::size_t camera) const {
+    return renderWall(rays[camera], camera_T_room.inverse().isometry(), wall);
+  }
 
   /// Moves only a camera that moved: rendering a wall takes some tens of milliseconds.
   void moveRight(const Cast& cast) {
     const Eigen::Isometry3d right_T_world = cast.right_moved * rig.right_T_left.isometry();
     if (rays[1].camera_T_world().matrix() == right_T_world.matrix()) return;
     rays[1].moveTo(right_T_world);
-    renderers[1].setBackdrop(renderBackdrop(rays[1], camera_T_room.inverse().isometry(), kWall_mm));
+    renderers[1].setBackdrop(wallIn(1));
   }
 
   int add(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look) {
@@ -143,6 +154,16 @@ struct Stage::Implementation {
     if (mask < 0) return;
     scene.setShown(mask, cast.has_mask && cast.stranger == 0);
     scene.setPose(mask, (camera_T_room * cast.room_T_mri).isometry());
+  }
+
+  void placeProps(const Cast& cast) {
+    for (const Prop& prop : props) {
+      const bool is_of_head = prop.carrier == Carrier::head;
+      scene.setShown(prop.object, is_of_head ? cast.stranger == 0 : cast.room_T_body.has_value());
+      if (is_of_head || cast.room_T_body)
+        scene.setPose(prop.object,
+                      (camera_T_room * (is_of_head ? cast.room_T_mri : *cast.room_T_body)).isometry());
+    }
   }
 
   void placeLocks(const VirtualPatient& person, std::uint64_t seed, bool is_there, const Cast& cast,
@@ -187,6 +208,9 @@ struct Stage::Implementation {
         {inCamera(Eigen::Vector3d(-600, -900, -350) + cast.lamp_shift_mm), 0.55 * cast.lamp_scale, 1500.0},
         {inCamera(Eigen::Vector3d(700, -500, -500) + 0.5 * cast.lamp_shift_mm), 0.30 * cast.lamp_scale,
          1500.0}};
+    if (!cast.lamps.empty()) lighting.lamps.clear();
+    for (const RoomLamp& lamp : cast.lamps)
+      lighting.lamps.push_back({inCamera(lamp.place_mm), lamp.intensity * cast.lamp_scale, 1500.0});
     lighting.ambient = 0.40 * cast.ambient_scale;
     lighting.up = camera_T_room.rotation() * -Eigen::Vector3d::UnitY();
     lighting.projector.reset();
@@ -195,6 +219,7 @@ struct Stage::Implementation {
     DotProjector projector;
     projector.projector_T_world = model.projector_T_camera.isometry();
     projector.focal_px = model.lens.k(0, 0);
+    projector.intensity *= cast.shown.empty() ? 1.0 : cast.shown_strength;
     projector.pattern = cast.shown.empty() ? patternOf(*cast.dots) : cast.shown;
     lighting.projector = projector;
     if (!cast.shown.empty()) return;
@@ -205,8 +230,8 @@ struct Stage::Implementation {
 
 Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
              std::shared_ptr<const VirtualPatient> patient, const RoomCoil& coil,
-             const std::array<FilmOptions, 2>& films)
-    : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient))) {
+             const std::array<FilmOptions, 2>& films, const RoomWall& wall)
+    : implementation_(std::make_unique<Implementation>(rig, rig_roll_deg, std::move(patient), wall)) {
   auto& all = *implementation_;
   all.coil = coil;
   all.films = films;
@@ -221,6 +246,18 @@ Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
 
 Stage::~Stage() = default;
 
+void Stage::addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look, Carrier carrier) {
+  if (mesh.triangles.empty()) return;
+  auto& all = *implementation_;
+  all.props.push_back({all.add(mesh, std::move(look)), carrier});
+  all.shown.reset();
+  all.views = {};
+}
+
+void Stage::expose(const std::array<double, 2>& exposures) {
+  for (std::size_t camera : {0, 1}) implementation_->films[camera].exposure = exposures[camera];
+}
+
 void Stage::set(const Cast& cast) {
   auto& all = *implementation_;
   if (all.shown && *all.shown == cast) return;
@@ -232,6 +269,7 @@ void Stage::set(const Cast& cast) {
   all.scene.setPose(all.head, (all.camera_T_room * cast.room_T_mri).isometry());
   all.placeMask(cast);
   all.placeGlasses(cast);
+  all.placeProps(cast);
   all.placeStranger(cast);
   all.placeLocks(*all.patient, 0, cast.stranger == 0, cast, all.locks);
   all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());

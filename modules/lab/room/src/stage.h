@@ -12,6 +12,7 @@
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/room/room_coil.h"
 #include "facenav/room/room_rig.h"
+#include "facenav/room/room_wall.h"
 #include "facenav/room/virtual_patient.h"
 #include "facenav/stereo/dot_pattern.h"
 #include "optics/film.h"
@@ -28,6 +29,18 @@ struct Shutter {
   bool isInstant() const { return rolling_s == 0.0 && exposure_s == 0.0; }
 };
 
+/// A lamp in place of the room's usual ones, Room.
+struct RoomLamp {
+  Eigen::Vector3d place_mm;
+  double intensity = 0.5;  // 1: a white sheet facing it, 1.5 m away, has full light
+  bool operator==(const RoomLamp& other) const {
+    return place_mm == other.place_mm && intensity == other.intensity;
+  }
+};
+
+/// What carries a prop.
+enum class Carrier { head, body };
+
 /// One moment in the room.
 struct Cast {
   RigidTransform<Room, Mri> room_T_mri;
@@ -38,7 +51,10 @@ struct Cast {
   std::optional<stereo::DotPattern> dots;                   // projected; empty: the projector is off
   cv::Mat
       shown;  // 8-bit, in place of the dots: what the projector shows, of roomProjector()'s size; not dimmed
-  double wetness = 0.0;             // of the skin: 1: small hard highlights
+  double shown_strength = 1.0;                           // scales the projector's light for `shown`
+  std::vector<RoomLamp> lamps;                           // empty: the usual two
+  std::optional<RigidTransform<Room, Mri>> room_T_body;  // carries clothes; empty: they are not shown
+  double wetness = 0.0;                                  // of the skin: 1: small hard highlights
   double gloss = 0.0;               // sheen of the skin, different in each camera: 1: shiny
   bool has_mask = false;            // surgical mask over nose and mouth
   bool has_glasses = false;         // a dark frame before the eyes, without glint
@@ -56,8 +72,13 @@ struct Cast {
 class Stage {
  public:
   Stage(const cameras::StereoRig& rig, double rig_roll_deg, std::shared_ptr<const VirtualPatient> patient,
-        const RoomCoil& coil, const std::array<FilmOptions, 2>& films);
+        const RoomCoil& coil, const std::array<FilmOptions, 2>& films, const RoomWall& wall = {});
   ~Stage();
+
+  /// Adds something that the patient wears, in Mri; not worn by a stranger.
+  void addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look, Carrier carrier);
+  /// Sets the exposure of both films.
+  void expose(const std::array<double, 2>& exposures);
 
   void set(const Cast& cast);
   /// Image of the left (0) or right (1) camera in linear light, with depth and object maps. Rendered once

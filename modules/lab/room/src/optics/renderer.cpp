@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "facenav/core/parallel_for.h"
-#include "noise_field.h"
 
 namespace facenav::room {
 namespace {
@@ -211,21 +210,6 @@ View Renderer::render(const RayScene& scene, const std::vector<std::shared_ptr<c
       }
   });
   return view;
-}
-
-cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm) {
-  cv::Mat image(rays.height_px(), rays.width_px(), CV_32F);
-  const Eigen::Vector3d eye = room_T_world * rays.origin_mm();
-  parallelRanges(0, image.rows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < image.cols; ++x) {
-        const Eigen::Vector3d along = room_T_world.linear() * rays.direction(x, y);
-        const Eigen::Vector3d p_mm = eye + (distance_mm - eye.z()) / along.z() * along;
-        const float structure = 0.05f * sharedNoise().at(p_mm, 160.0) + 0.015f * sharedNoise().at(p_mm, 30.0);
-        image.at<float>(y, x) = std::max(0.02f, 0.16f + structure + float(0.00004 * p_mm.x()));
-      }
-  });
-  return image;
 }
 
 }  // namespace facenav::room

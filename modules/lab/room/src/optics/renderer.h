@@ -36,8 +36,4 @@ class Renderer {
   cv::Mat backdrop_;
 };
 
-/// Renders the wall behind the patient as seen by this camera: soft random structure on a plane at
-/// `distance_mm` in the room.
-cv::Mat renderBackdrop(const CameraRays& rays, const Eigen::Isometry3d& room_T_world, double distance_mm);
-
 }  // namespace facenav::room

@@ -6,7 +6,7 @@
 namespace facenav::room {
 namespace {
 
-constexpr double kThick_mm = 16.0;  // of the wings
+constexpr double kWing_mm = 16.0;  // thickness of the wings
 
 /// The end of the stem at the plate: behind the plate's edge nearest to the coil, so that the stem never
 /// crosses the print.
@@ -27,13 +27,13 @@ Eigen::Vector3d stemEnd(const RoomCoil& coil) {
 
 surface::TriangleMesh coilBodyMesh() {
   auto mesh =
-      joined(cylinder({-42.0, 0.0}, 45.0, -kThick_mm, 0.0), cylinder({42.0, 0.0}, 45.0, -kThick_mm, 0.0));
-  mesh = joined(mesh, box({-20.0, -40.0, -kThick_mm - 8.0}, {20.0, 22.0, -kThick_mm}));
-  return joined(mesh, box({-14.0, -190.0, -kThick_mm - 14.0}, {14.0, -38.0, -2.0}));
+      joined(cylinder({-42.0, 0.0}, 45.0, -kWing_mm, 0.0), cylinder({42.0, 0.0}, 45.0, -kWing_mm, 0.0));
+  mesh = joined(mesh, box({-20.0, -40.0, -kWing_mm - 8.0}, {20.0, 22.0, -kWing_mm}));
+  return joined(mesh, box({-14.0, -190.0, -kWing_mm - 14.0}, {14.0, -38.0, -2.0}));
 }
 
 surface::TriangleMesh coilMesh(const RoomCoil& coil) {
-  return joined(coilBodyMesh(), bar({0.0, 0.0, -kThick_mm}, stemEnd(coil), 12.0));
+  return joined(coilBodyMesh(), bar({0.0, 0.0, -kWing_mm}, stemEnd(coil), 12.0));
 }
 
 }  // namespace facenav::room

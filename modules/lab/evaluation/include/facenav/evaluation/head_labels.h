@@ -31,6 +31,9 @@ struct LabelStatistics {
 std::map<int, LabelStatistics> readLabelStatistics(const std::filesystem::path& csv);
 /// Reads a labelled head. Throws Error: missing, not NIfTI, values that are no labels.
 LabelledHead readLabelledHead(const std::filesystem::path& nifti);
+/// Folder of the shared data with labelled heads: FACENAV_SHARED_DATA/head_labels, else
+/// ../shared/data/head_labels.
+std::filesystem::path sharedHeadLabels();
 /// Paths of all *.nii.gz of a folder, sorted. Throws Error if there are none.
 std::vector<std::filesystem::path> labelledHeads(const std::filesystem::path& folder);
 
