@@ -14,6 +14,7 @@ namespace {
 constexpr double kUsualRms_px = 0.2;  // of a calibration that does not state it
 // Two matches of one point, each off by 0.3 px (rig/health's kMatchSigma_px), scatter so across the line.
 constexpr double kMatchNoise_px = 0.42;
+constexpr double kSignificant = 3.0;   // standard errors
 constexpr double kMedianNoise = 1.25;  // standard error of a median divided by that of a mean
 
 // Signed distance of the right pixel from the left pixel's epipolar line, px of the right camera.
@@ -49,7 +50,10 @@ double EpipolarOffset::size_px() const {
 }
 
 bool EpipolarOffset::isOutOfStep(double allowed_px) const {
-  return points >= settingsOf<StepLimits>().step_fewest && size_px() > limitOf(*this, allowed_px);
+  // Scatter about the lines alone is blur or compression. It counts only where the whole face is off them.
+  const bool is_off = std::abs(median_px) > kSignificant * sigmaOf(*this);
+  const double off_px = is_off ? size_px() : std::abs(median_px);
+  return points >= settingsOf<StepLimits>().step_fewest && off_px > limitOf(*this, allowed_px);
 }
 
 bool EpipolarOffset::isClean() const {
