@@ -1,6 +1,6 @@
 #pragma once
-// From a detector's box to FaceLandmarks. Both detectors use it, so that a face has the same box and the same
-// landmarks whichever found it.
+// Makes FaceLandmarks of a detector's box. Both detectors use it, so that a face has the same box and the
+// same landmarks whichever found it.
 
 #include "facenav/face/face_landmarks.h"
 #include "facenav/face/landmark_model.h"

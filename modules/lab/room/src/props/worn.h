@@ -8,10 +8,10 @@
 
 namespace facenav::room {
 
-/// Cap with a visor; `above_brows_mm`: height of its rim over the brows. Empty without landmarks.
+/// Cap with a visor; `above_brows_mm`: height of its rim over the brows. It is empty without landmarks.
 surface::TriangleMesh capMesh(const VirtualPatient& patient, double above_brows_mm);
 /// Hair that hangs beside and behind the face down to `below_chin_mm`; it starts `aside_rad` from the front.
-/// Empty without landmarks.
+/// It is empty without landmarks.
 surface::TriangleMesh longHairMesh(const VirtualPatient& patient, double below_chin_mm, double aside_rad);
 /// Neck from the collar up into the head.
 surface::TriangleMesh neckMesh(const VirtualPatient& patient);

@@ -40,7 +40,7 @@ class ModelHeadTracker : public HeadTracker {
         face ? FaceRegion(face->left, size) : FaceRegion(reference.surface_left_px, size);
     const FaceSurface surface =
         measureSurface(rig, reference, region, face ? face::depthOf(rig, *face) : 0.0);
-    patches_.start(rig, reference, region, surface, face ? face->left.face : region.box());
+    patches_.start(rig, reference, region, surface);
     shown_.reset();
     left_out_ = 0;
     doubt_.clear();

@@ -42,7 +42,7 @@ cv::Rect boxOf(const PoseFit& fit, int camera) {
 }  // namespace
 
 void PatchTrack::start(const cameras::StereoRig& rig, const HeadReference& reference,
-                       const FaceRegion& region, const FaceSurface& surface, const cv::Rect& face_box) {
+                       const FaceRegion& region, const FaceSurface& surface) {
   const std::array<ImagePyramid, 2> key = {ImagePyramid(reference.frame.left),
                                            ImagePyramid(reference.frame.right)};
   model_ = learnPatches(rig, reference.frame, key, region, surface);
@@ -54,7 +54,7 @@ void PatchTrack::start(const cameras::StereoRig& rig, const HeadReference& refer
   both_cameras_ = detailOfBothCameras(model_);
   keys_ = KeyFrames(model_);
   search_ = FaceSearch(rig, model_, key, FaceTemplate(rig, region, surface, model_.centre_mm));
-  left_box_ = right_box_ = face_box;
+  left_box_ = right_box_ = region.box();
   last_ = HeadMotion(model_.centre_mm);
   patch_weights_ = PatchWeights(model_.level[0].patches.size());
   words_ = LossWords(model_.centre_mm, model_.noise_grey, key[0], left_box_);

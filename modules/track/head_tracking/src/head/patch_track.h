@@ -25,10 +25,10 @@ class PatchTrack {
   PatchTrack(const PatchTrack&) = delete;  // the search points to the model
   PatchTrack& operator=(const PatchTrack&) = delete;
 
-  /// Learns the patches. `face_box`: the face in the left reference image. Throws Error if the reference
+  /// Learns the patches of the face in `region` of the left reference image. Throws Error if the reference
   /// shows too few patches.
   void start(const cameras::StereoRig& rig, const HeadReference& reference, const FaceRegion& region,
-             const FaceSurface& surface, const cv::Rect& face_box);
+             const FaceSurface& surface);
   /// Discards everything learnt since start(), because it is in doubt.
   void forgetLearnt();
 
