@@ -50,6 +50,16 @@ Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
   return {off_px[off_px.size() / 2], double(within) / double(off_px.size())};
 }
 
+/// The matches in that part of the left picture; all, if it is empty.
+std::vector<Correspondence> within(const std::optional<cv::Rect>& part,
+                                   const std::vector<Correspondence>& matches) {
+  if (!part) return matches;
+  std::vector<Correspondence> kept;
+  for (const auto& match : matches)
+    if (part->contains({int(match.left_px.x()), int(match.left_px.y())})) kept.push_back(match);
+  return kept;
+}
+
 }  // namespace
 
 PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
@@ -102,13 +112,11 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const std::optional<cv::Rect>& part) {
   if (frame.left.empty() || frame.right.empty()) return {};
-  auto matches = matchPictures(frame.left, frame.right);
-  if (part)
-    matches.erase(std::remove_if(matches.begin(), matches.end(),
-                                 [&](const Correspondence& match) {
-                                   return !part->contains({int(match.left_px.x()), int(match.left_px.y())});
-                                 }),
-                  matches.end());
+  const auto all = matchPictures(frame.left, frame.right);
+  auto matches = within(part, all);
+  // Smooth skin has few corners. Its windows decide then.
+  if (part && matches.size() < kFewestMatches)
+    matches = within(part, growMatches(frame.left, frame.right, all));
   const auto diagnosis = diagnoseMatches(rig, matches);
   if (!diagnosis.isOfCameras()) return diagnosis;
   return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));

@@ -17,19 +17,10 @@ constexpr std::size_t kCoilFrames = 5;
 }  // namespace
 
 void RigHealth::start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
-                      const std::vector<Eigen::Vector2f>& left_px) {
-  reference_ = pair;
+                      const std::vector<Eigen::Vector2f>& left_px, const std::optional<cv::Rect>& face_px) {
   monitor_.add(matchSurface(rig_, pair, face, left_px));
-  judge();
-}
-
-/// Asks the monitor. When it first says that the cameras moved, the face of the reference pair is diagnosed
-/// (half a second, once): it gives the fault its name, or shows that the reference fits.
-void RigHealth::judge() {
   estimate_ = monitor_.estimate();
-  if (!estimate_.hasMoved() || !reference_) return;
-  const auto diagnosis = diagnosePair(rig_, *reference_, monitor_.region());
-  reference_.reset();
+  const auto diagnosis = diagnosePair(rig_, pair, face_px ? face_px : monitor_.region());
   if (diagnosis.isFault()) reference_fault_ = diagnosis.verdict();
   has_fitted_ = diagnosis.state == RigState::holds;
 }
@@ -54,7 +45,7 @@ void RigHealth::add(const RigObservation& seen) {
   seen.sees_face ? drift_.add(seen) : drift_.addWithoutFace(seen.captured);
   followDrift();
   const std::size_t interval = frames_ < kFirstFrames ? kFirstInterval : kLaterInterval;
-  if (frames_++ % interval == 0) judge();
+  if (frames_++ % interval == 0) estimate_ = monitor_.estimate();
 }
 
 /// Restarts the monitor: its observations of the uncorrected cameras do not apply to the corrected ones.

@@ -66,15 +66,20 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     monitor.report("looking for a face",
                    double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
     if (!first) first = frame;
-    if (i < next || !face::findStereoFace(*detector, recording.rig, *frame)) continue;
+    if (i < next) continue;
+    const auto face = face::findStereoFace(*detector, recording.rig, *frame);
+    if (!face) continue;
+    Start start{{*frame, {}, {}}, camera_T_mri};
+    start.reference.face_px = face->left.face;
     try {
-      started.navigator = makeNavigator(methods, request, recording, {{*frame, {}, {}}, camera_T_mri}, coil,
+      started.navigator = makeNavigator(methods, request, recording, std::move(start), coil,
                                         methods.head_trackers.create(request.head_tracker));
       started.why_no_head.clear();
       return started;
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
+      if (camera_T_mri) throw;  // that pose is of the first frame with a face, not of a later one
       started.why_no_head = error.what();
       next = i + apart;
     }
@@ -117,6 +122,8 @@ StartedTracking startTracking(const Registrations& methods, const TrackRequest& 
   Start start;
   if (!recording.capture && isFromFilm(store)) {
     start = {{capture->plain, {}, {}}, store.alignment()->camera_T_mri};
+    if (const auto face = face::findStereoFace(*methods.face_detector(), recording.rig, capture->plain))
+      start.reference.face_px = face->left.face;
   } else {
     started.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
     start = {started.alignment->reference, started.alignment->result.camera_T_mri, started.alignment->scalp};

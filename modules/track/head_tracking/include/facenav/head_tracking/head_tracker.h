@@ -50,6 +50,8 @@ struct HeadReference {
   PointCloud<Camera> surface;  // if empty, depth is measured in the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
   std::vector<FaceKeyFrame> key_frames = {};  // the patient's face in earlier sessions
+  std::optional<cv::Rect> face_px =
+      {};  // the face in the left image, where `surface` does not tell its place
 };
 
 /// When and where work runs that takes longer than a frame (recovery of a lost face).

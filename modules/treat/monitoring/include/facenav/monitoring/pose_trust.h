@@ -20,7 +20,7 @@ class PoseTrust {
 
   /// Sets the pair that tracking starts from.
   void start(const head_tracking::HeadReference& reference) {
-    rig_.start(reference.frame, reference.surface, reference.surface_left_px);
+    rig_.start(reference.frame, reference.surface, reference.surface_left_px, reference.face_px);
   }
   /// Sets the watchdog; null: no check.
   void setWatchdog(std::unique_ptr<DriftWatchdog> watchdog) { watchdog_ = std::move(watchdog); }
