@@ -117,6 +117,8 @@ PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoF
   // Smooth skin has few corners. Its windows decide then.
   if (part && matches.size() < kFewestMatches)
     matches = within(part, growMatches(frame.left, frame.right, all));
+  // A face on which nothing matches may be of two moments: then the rest of the pictures decides.
+  if (matches.size() < kFewestMatches) matches = all;
   const auto diagnosis = diagnoseMatches(rig, matches);
   if (!diagnosis.isOfCameras()) return diagnosis;
   return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
