@@ -38,7 +38,7 @@ TEST_F(SettingsOfTheProgram, AreListedWithUnitRangeAndOrigin) {
   EXPECT_THAT(listed.output, HasSubstr("segmentation.search_mm = 8 mm  (0 to 30)"));
   EXPECT_THAT(listed.output, HasSubstr("fitted: on three heads"));
   EXPECT_EQ(listed.output.find("registration."), std::string::npos);
-  EXPECT_THAT(runFacenav("settings").output, HasSubstr("registration.wrong_median_mm = 0.9 mm"));
+  EXPECT_THAT(runFacenav("settings").output, HasSubstr("registration.loose_mm = 0.6 mm"));
   const auto unknown = runFacenav("settings segmentations");
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.errors, HasSubstr("registration, segmentation"));

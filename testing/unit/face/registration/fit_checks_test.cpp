@@ -27,9 +27,10 @@ using testing::modelHead;
 /// Evidence of a fit to the right head.
 FitEvidence rightHead() {
   FitEvidence evidence;
-  evidence.closeness = {3000, 0.8, 0.95, 0.15, 0.2, 0.1, 110.0};
+  evidence.closeness = {3000, 0.95, 0.15, 110.0};
   evidence.predicted_error_mm = 0.5, evidence.misfit_mm = 0.2, evidence.mirror_log_odds = 20;
   evidence.scale = 1.001, evidence.scale_sigma = 0.002;
+  evidence.own_log_odds = 30;
   return evidence;
 }
 
@@ -52,34 +53,27 @@ struct Verdict {
 };
 
 const Verdict kVerdicts[] = {
-    {"wrong_median_mm", [](FitEvidence& e) { e.closeness.median_mm = 1.0, e.closeness.best_third_mm = 0.6; },
-     "the face does not fit this MRI", [](FitLimits& l) { l.wrong_median_mm = 1.1; }},
-    {"wrong_third_mm", [](FitEvidence& e) { e.closeness.median_mm = 1.0, e.closeness.best_third_mm = 0.6; },
-     "median distance 1.0 mm", [](FitLimits& l) { l.wrong_third_mm = 0.7; }},
-    {"least_close", [](FitEvidence& e) { e.closeness.close_fraction = 0.25; },
-     "the face does not fit this MRI", [](FitLimits& l) { l.least_close = 0.2; }},
-    {"least_bare", [](FitEvidence& e) { e.closeness.bare_share = 0.2; }, "(20 % of it lies on the skin",
-     [](FitLimits& l) { l.least_bare = 0.15; }},
-    {"mostly_bare", [](FitEvidence& e) { e.closeness.bare_share = 0.6, e.closeness.bare_mm = 0.5; },
-     "the face does not fit this MRI", [](FitLimits& l) { l.mostly_bare = 0.5; }},
-    {"wrong_bare_mm", [](FitEvidence& e) { e.closeness.bare_share = 0.6, e.closeness.bare_mm = 0.5; },
-     "the face does not fit this MRI", [](FitLimits& l) { l.wrong_bare_mm = 0.55; }},
+    {"least_own", [](FitEvidence& e) { e.own_log_odds = 2; }, "the face does not fit this MRI",
+     [](FitLimits& l) { l.least_own = 1; }},
+    {"least_extent_mm", [](FitEvidence& e) { e.closeness.extent_mm = 40; }, "too little of the face",
+     [](FitLimits& l) { l.least_extent_mm = 35; }},
     {"least_unmirrored", [](FitEvidence& e) { e.mirror_log_odds = 0.5; },
      "cannot be distinguished from its mirror image", [](FitLimits& l) { l.least_unmirrored = 0.2; }},
     {"rival", [](FitEvidence& e) { e.rival_log_odds = 2; }, "fits in two places",
      [](FitLimits& l) { l.rival = 1.5; }},
-    {"resized", [](FitEvidence& e) { e.fitting_scale = 1.06, e.scale_log_odds = 12; }, "106.0 % of its size",
-     [](FitLimits& l) { l.resized = 15; }},
-    {"least_extent_mm", [](FitEvidence& e) { e.closeness.extent_mm = 40; }, "too little of the face",
-     [](FitLimits& l) { l.least_extent_mm = 35; }},
-    {"refused_scale", [](FitEvidence& e) { e.scale = 0.95; }, "95.0 % of its size",
-     [](FitLimits& l) { l.refused_scale = 0.06; }},
+    {"refused_scale_z", [](FitEvidence& e) { e.fitting_scale = 1.06; }, "106.0 % of its size",
+     [](FitLimits& l) { l.refused_scale_z = 7; }},
     {"refused_scale_z", [](FitEvidence& e) { e.scale = 0.95; }, "95.0 % of its size",
-     [](FitLimits& l) { l.refused_scale_z = 9; }},
+     [](FitLimits& l) { l.refused_scale_z = 6; }},
     {"scanner_scale", [](FitEvidence& e) { e.scale = 0.95; }, "95.0 % of its size",
      [](FitLimits& l) { l.scanner_scale = 0.02; }},
-    {"largest_error_mm", [](FitEvidence& e) { e.predicted_error_mm = 2.2; }, "predicted error 2.2 mm",
-     [](FitLimits& l) { l.largest_error_mm = 2.5; }},
+    {"refused_turn_z",
+     [](FitEvidence& e) {
+       e.turn = CameraTurn{0.005, 0.001}, e.scanner_rad = 0.001;
+     },
+     "turned sideways", [](FitLimits& l) { l.refused_turn_z = 4; }},
+    {"largest_error_mm", [](FitEvidence& e) { e.predicted_error_mm = 3.2; }, "predicted error 3.2 mm",
+     [](FitLimits& l) { l.largest_error_mm = 3.5; }},
 };
 
 TEST(FitChecks, ARightHeadPassesWithoutACaution) {
@@ -98,6 +92,18 @@ TEST(FitChecks, EachLimitRefusesWithItsReasonAndAWiderOneLetsPass) {
     verdict.widen(*limits.operator->());
     EXPECT_EQ(refusal(evidence), "") << verdict.limit;
   }
+}
+
+TEST(FitChecks, ASizeThatScanAndCalibrationCanHaveIsNoReasonToRefuse) {
+  FitEvidence evidence = rightHead();
+  for (const double scale : {0.98, 1.02}) {
+    evidence.scale = evidence.fitting_scale = scale;
+    EXPECT_EQ(refusal(evidence), "") << scale;
+    EXPECT_THAT(cautionsOf(evidence), ::testing::ElementsAre(HasSubstr("of the MRI's size")));
+  }
+  evidence = rightHead();
+  evidence.turn = CameraTurn{0.004, 0.0009}, evidence.scanner_rad = 0.002;  // 2 % at five baselines
+  EXPECT_EQ(refusal(evidence), "");
 }
 
 TEST(FitChecks, TooFewPointsAreTooLittleOfAFace) {
@@ -130,9 +136,9 @@ TEST(FitChecks, AnErrorThatIsNoNumberIsNoSmallOne) {
 TEST(FitChecks, AFaceOfAnotherSizeIsNoMirroredOne) {
   FitEvidence evidence = rightHead();
   evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true;
-  evidence.fitting_scale = 0.94, evidence.scale_log_odds = 20;  // size explains more than the mirror does
+  evidence.fitting_scale = 0.94;
   EXPECT_THAT(refusal(evidence), HasSubstr("94.0 % of its size"));
-  evidence.scale_log_odds = 7;
+  evidence.fitting_scale = 0.985;
   EXPECT_THAT(refusal(evidence), HasSubstr("swapped"));
 }
 
@@ -145,17 +151,20 @@ TEST(FitChecks, CautionsNameSizeLooseSkinAndCovers) {
     return cautions.size() == 1 ? cautions.front() : std::to_string(cautions.size()) + " cautions";
   };
   const auto larger = [](FitEvidence& e) { e.scale = 1.015, e.scale_sigma = 0.001; };
+  const auto wide = [](FitEvidence& e) { e.predicted_error_mm = 2.4; };
   const auto loose = [](FitEvidence& e) { e.closeness.bare_mm = 0.7; };
   const auto misfit = [](FitEvidence& e) { e.misfit_mm = 0.7; };
   const auto covered = [](FitEvidence& e) { e.closeness.bare_share = 0.6; };
   EXPECT_THAT(cautionOf(larger), HasSubstr("101.5 % of the MRI's size (+/- 0.1)"));
+  EXPECT_THAT(cautionOf(wide), HasSubstr("to 2.4 mm only"));
   EXPECT_THAT(cautionOf(loose), HasSubstr("fits loosely (by 0.7 mm)"));
   EXPECT_THAT(cautionOf(misfit), HasSubstr("fits loosely (by 0.7 mm)"));
   EXPECT_THAT(cautionOf(covered), HasSubstr("40 % of the face is covered"));
   ChangedSettings<FitLimits> limits;
-  limits->caution_scale = 0.02, limits->caution_scale_z = 3, limits->loose_mm = 0.8,
-  limits->mostly_bare = 0.5;
-  for (const auto spoil : {+larger, +loose, +misfit, +covered}) EXPECT_EQ(cautionOf(spoil), "0 cautions");
+  limits->caution_scale_z = 6, limits->loose_mm = 0.8, limits->mostly_bare = 0.5,
+  limits->large_error_mm = 2.5;
+  for (const auto spoil : {+larger, +wide, +loose, +misfit, +covered})
+    EXPECT_EQ(cautionOf(spoil), "0 cautions");
 }
 
 FitEvidence evidenceOf(const PointCloud<Camera>& face, const RigidTransform<Camera, Mri>& camera_T_mri) {
@@ -165,14 +174,11 @@ FitEvidence evidenceOf(const PointCloud<Camera>& face, const RigidTransform<Came
 TEST(FitEvidence, OfTheRightPoseIsCloseAndUnmirrored) {
   const auto truth = facing(8, -5, 3);
   const FitEvidence evidence = evidenceOf(modelFace(truth), truth);
-  EXPECT_GT(evidence.closeness.close_fraction, 0.98);
   EXPECT_GT(evidence.closeness.bare_share, 0.98);
-  EXPECT_LT(evidence.closeness.median_mm, 0.15) << "0.1 mm of noise";
-  EXPECT_LT(evidence.closeness.best_third_mm, evidence.closeness.median_mm);
-  EXPECT_GT(evidence.closeness.extent_mm, 80.0);
+  EXPECT_LT(evidence.closeness.bare_mm, 0.15) << "0.1 mm of noise";
+  EXPECT_GT(evidence.own_log_odds, 20.0);
   EXPECT_GT(evidence.mirror_log_odds, 1.0);
   EXPECT_EQ(evidence.fitting_scale, 1.0) << "other sizes are not tried on a face that fits";
-  EXPECT_EQ(evidence.scale_log_odds, 0.0);
   EXPECT_NO_THROW(requireLikeness(evidence));
 }
 
@@ -199,7 +205,20 @@ TEST(FitEvidence, OfAResizedFaceNamesItsSize) {
     for (auto& p : face.points_mm) p = middle + scale * (p - middle);
     const FitEvidence evidence = evidenceOf(face, truth);
     EXPECT_EQ(evidence.fitting_scale, scale);
-    EXPECT_GT(evidence.scale_log_odds, 10.0);
+    EXPECT_GT(evidence.own_log_odds, 10.0);
+    EXPECT_THROW(requireLikeness(evidence), Error);
+  }
+}
+
+TEST(FitEvidence, OfAFaceOfASlightlyOtherSizeIsThisPersons) {
+  const auto truth = facing(8, -5, 3);
+  for (const double scale : {0.98, 0.99, 1.01, 1.02}) {
+    PointCloud<Camera> face = modelFace(truth);
+    const Eigen::Vector3d middle = truth.isometry() * modelField().middle_mm();
+    for (auto& p : face.points_mm) p = middle + scale * (p - middle);
+    const FitEvidence evidence = evidenceOf(face, truth);
+    EXPECT_GT(evidence.own_log_odds, 5.0) << scale;
+    EXPECT_NO_THROW(requireLikeness(evidence)) << scale;
   }
 }
 
@@ -217,9 +236,8 @@ TEST(FitEvidence, OfANoseAloneHasNoExtent) {
     const Eigen::Vector3d d = truth.isometry().inverse() * p - modelField().noseTip_mm();
     if (std::abs(d.x()) < 15 && std::abs(d.z()) < 20) nose.points_mm.push_back(p);
   }
-  const Closeness closeness = evidenceOf(nose, truth).closeness;
-  EXPECT_LT(closeness.extent_mm, 45.0);
-  EXPECT_GT(closeness.close_fraction, 0.95) << "it fits, but it fixes no pose";
+  EXPECT_LT(evidenceOf(nose, truth).closeness.extent_mm, 45.0) << "it fits, but it fixes no pose";
+  EXPECT_GT(evidenceOf(face, truth).closeness.extent_mm, 80.0);
 }
 
 TEST(FitReport, RefusesFewerThanFiveHundredPointsThatAreNumbers) {

@@ -50,6 +50,11 @@ Eigen::Vector3d middleOf(const PointCloud<Camera>& face) {
   return middle;
 }
 
+/// Turn of the right camera that changes the size of a face there by this factor.
+double turnOf(const TurnableCamera& right, const Eigen::Vector3d& at_mm, double size) {
+  return (size - 1.0) * at_mm.squaredNorm() / right.displacement(at_mm).dot(at_mm);
+}
+
 }  // namespace
 
 PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& right, double rad) {
@@ -64,17 +69,25 @@ PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& rig
 }
 
 std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<Camera>& face,
-                                      const AlignmentStart& start, const FinalFit& first) {
+                                      const AlignmentStart& start, const FinalFit& first, double size) {
   if (!start.right || !first.posterior.turn) return std::nullopt;
   CameraTurn left = *first.posterior.turn;  // remaining turn at `at_rad`
   double at_rad = 0.0, slope = kFirstSlope;
   const Eigen::Vector3d middle_mm = middleOf(face);
+  const auto fitAt = [&](double rad) {
+    const PointCloud<Camera> turned = turnedBack(face, *start.right, rad);
+    return fitTurned(scalp, turned, start,
+                     first.mri_T_camera * Eigen::Translation3d(middle_mm - middleOf(turned)));
+  };
+  if (size != 1.0) {
+    const double rad = turnOf(*start.right, middle_mm, size);
+    const auto fit = fitAt(rad);
+    if (fit && fit->posterior.turn) at_rad = rad, left = *fit->posterior.turn;
+  }
   for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kLeftOver * left.sigma_rad; ++fits) {
     const double step_rad = std::clamp(left.rad / slope, -kLongestStep_rad, kLongestStep_rad);
     if (std::abs(at_rad + step_rad) > kMostTurn_rad) break;
-    const PointCloud<Camera> turned = turnedBack(face, *start.right, at_rad + step_rad);
-    const Eigen::Isometry3d near = first.mri_T_camera * Eigen::Translation3d(middle_mm - middleOf(turned));
-    const auto fit = fitTurned(scalp, turned, start, near);
+    const auto fit = fitAt(at_rad + step_rad);
     if (!fit || !fit->posterior.turn) break;
     at_rad += step_rad;
     slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);

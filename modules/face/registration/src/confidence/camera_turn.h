@@ -8,10 +8,11 @@
 
 namespace facenav::registration {
 
-/// `first`: the fit of the cloud as measured, with its estimate. Takes some fits. Returns nothing if `start`
-/// names no camera, and the first estimate if no turn fits better.
+/// `first`: the fit of the cloud as measured, with its estimate. `size`: that of the face over the scan's at
+/// which it is likeliest; the search starts at the turn that explains it. Takes some fits. Returns nothing if
+/// `start` names no camera, and the first estimate if no turn fits better.
 std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<Camera>& face,
-                                      const AlignmentStart& start, const FinalFit& first);
+                                      const AlignmentStart& start, const FinalFit& first, double size = 1.0);
 
 /// The points as measured by a right camera that is known to have turned by `rad`.
 PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& right, double rad);

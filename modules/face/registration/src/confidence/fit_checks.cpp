@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <tuple>
 
 #include "cloud/cloud_sampling.h"
 #include "cloud/skin_patches.h"
@@ -20,6 +19,7 @@
 namespace facenav::registration {
 namespace {
 
+constexpr double kNear_mm = 6.0;           // counts for the extent of the measured face
 constexpr double kFarFromMirrored = 30.0;  // log odds beyond which no closer comparison is needed
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm) {
@@ -40,22 +40,14 @@ double facialExtent_mm(const std::vector<Eigen::Vector3f>& points_mri_mm) {
   return std::min(extent.x(), extent.z());
 }
 
-bool isNoFit(const Closeness& c) {
-  const FitLimits& limits = settingsOf<FitLimits>();
-  // On a wrong head, half of the face may be taken for a mask; the rest must then fit as closely as skin
-  // does.
-  return (c.median_mm > limits.wrong_median_mm && c.best_third_mm > limits.wrong_third_mm) ||
-         c.close_fraction < limits.least_close || c.bare_share < limits.least_bare ||
-         (c.bare_share < limits.mostly_bare && c.bare_mm > limits.wrong_bare_mm);
-}
-
 Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
                       const Eigen::Isometry3d& mri_T_camera, const Covers& covers) {
   const FitLimits& limits = settingsOf<FitLimits>();
   const anatomy::FaceRegions regions(scalp.noseTip_mm());
   Closeness out;
-  std::vector<double> skin, core, bare;
-  std::vector<Eigen::Vector3f> close_mm;
+  std::vector<double> bare;
+  double skin = 0;
+  std::vector<Eigen::Vector3f> near_mm;
   const auto matches = FieldFitter(scalp, face, points).match(mri_T_camera);
   for (std::size_t p = 0; p < matches.size(); ++p) {
     const PointMatch& m = matches[p];
@@ -63,20 +55,13 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
     if (!m.is_valid || off_mm > 15) continue;
     ++out.face_points;
     if (regions.foreignShare(m.at_mri_mm.cast<double>()) > limits.hairy) continue;
-    skin.push_back(off_mm);
-    if (off_mm < 1.5) close_mm.push_back(m.at_mri_mm);
-    if (off_mm < 6) core.push_back(off_mm);
+    ++skin;
+    if (off_mm < kNear_mm) near_mm.push_back(m.at_mri_mm);
     if (!covers.hold(face.points_mm[std::size_t(points[p])])) bare.push_back(off_mm);
   }
-  const double all = std::max<double>(1.0, double(skin.size()));
-  out.close_fraction = double(close_mm.size()) / all;
-  out.bare_share = double(bare.size()) / all;
+  out.bare_share = double(bare.size()) / std::max(1.0, skin);
   out.bare_mm = upperMedian(bare);
-  out.extent_mm = facialExtent_mm(close_mm);
-  if (core.empty()) return out;
-  std::sort(core.begin(), core.end());
-  out.best_third_mm = core[core.size() / 3];
-  out.median_mm = core[core.size() / 2];
+  out.extent_mm = facialExtent_mm(near_mm);
   return out;
 }
 
@@ -114,8 +99,8 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
   evidence.mirror_log_odds = here - most;
   if (evidence.mirror_log_odds > 0) return;
-  const Covers covers(scalp, mirrored, all, best);
-  evidence.does_mirror_fit = !isNoFit(closenessOf(scalp, mirrored, all, best, covers));
+  const auto by_person = logLikelihood.byPerson(fitter.match(best));
+  evidence.does_mirror_fit = by_person.own - by_person.other > settingsOf<FitLimits>().least_own;
 }
 
 /// Log likelihood ratio of the pose to the best other pose.
@@ -135,32 +120,62 @@ double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
   return logLikelihood(everything.match(mri_T_camera)) - most;
 }
 
-/// The size of the live face relative to the scan at which it fits best, with its log likelihood ratio. A
-/// scale error of the calibration makes every face fit at another size.
-std::pair<double, double> fittingScale(const ScalpField& scalp, const PointCloud<Camera>& face,
-                                       const std::vector<int>& points,
-                                       const Eigen::Isometry3d& mri_T_camera) {
-  const SkinLikelihood logLikelihood(scalp, face, points);
-  const double as_is = logLikelihood(FieldFitter(scalp, face, points).match(mri_T_camera));
+/// True if neither scan nor calibration explains the size: beyond some standard errors of both and of the
+/// fit.
+bool isRareSize(double scale, double sigma) {
+  const FitLimits& limits = settingsOf<FitLimits>();
+  return std::abs(scale - 1.0) > limits.refused_scale_z * std::hypot(sigma, limits.scanner_scale);
+}
+
+constexpr double kOtherSize = 0.05;  // standard deviation of other persons' faces from this one, in size
+constexpr double kClearly = 20.0;    // log likelihood that chance hardly adds at another size
+
+/// Log odds that this person's face is measured at that size, rather than another person's. A rare size has
+/// the odds of the largest one that is not: it is refused for its size, in words.
+double sizeLogOdds(double scale) {
+  const FitLimits& limits = settingsOf<FitLimits>();
+  const double own = limits.scanner_scale,
+               off = std::min(std::abs(scale - 1.0), limits.refused_scale_z * own);
+  return std::log(kOtherSize / own) - 0.5 * std::pow(off / own, 2) + 0.5 * std::pow(off / kOtherSize, 2);
+}
+
+/// Sizes of the live face relative to the scan that are tried.
+constexpr double kSizes[] = {0.88, 0.91, 0.94, 0.96, 0.975, 0.985, 1.015, 1.025, 1.04, 1.06, 1.09, 1.12};
+
+/// Finds the size at which the face is likeliest that of the scan's person. A scale error of scan or
+/// calibration makes this person's face fit at another size; another person's fits at none. Rare sizes are
+/// tried only where the face does not fit at the others.
+void compareSizes(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
+                  const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
+  const SkinLikelihood likelihood(scalp, face, points);
+  const auto as_is = likelihood.byPerson(FieldFitter(scalp, face, points).match(mri_T_camera));
+  evidence.own_log_odds = as_is.own - as_is.other + sizeLogOdds(1.0);
+  const bool is_own = evidence.own_log_odds > settingsOf<FitLimits>().least_own;
+  double most = as_is.own + kClearly;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int p : points) centre += face.points_mm[std::size_t(p)] / double(points.size());
   PointCloud<Camera> scaled = face;
-  std::pair<double, double> best{1.0, 0.0};
-  for (const double scale : {0.88, 0.91, 0.94, 0.96, 0.975, 1.025, 1.04, 1.06, 1.09, 1.12}) {
+  for (const double scale : kSizes) {
+    const bool is_rare = isRareSize(scale, 0.0);
+    if (is_rare && is_own) continue;
     for (const int p : points) scaled.points_mm[std::size_t(p)] = face.points_mm[std::size_t(p)] / scale;
     const FieldFitter fitter(scalp, scaled, points);
     const Eigen::Isometry3d start = mri_T_camera * Eigen::Translation3d(centre - centre / scale);
-    const double log_odds = logLikelihood(fitter.match(settle(fitter, start, 8.0f))) - as_is;
-    if (log_odds > best.second) best = {scale, log_odds};
+    const auto here = likelihood.byPerson(fitter.match(settle(fitter, start, 8.0f)));
+    const double log_odds = here.own - here.other + sizeLogOdds(scale);
+    if (is_own ? here.own < most : log_odds < evidence.own_log_odds) continue;
+    most = here.own;
+    evidence.fitting_scale = scale;
+    evidence.own_log_odds = log_odds;
   }
-  return best;
 }
 
-/// Difference of the scale from one, in standard errors that include the scale error of scanners.
-double scaleZ(const FitEvidence& evidence) {
-  if (!(evidence.scale_sigma > 0)) return 0.0;
-  return std::abs(evidence.scale - 1.0) /
-         std::hypot(evidence.scale_sigma, settingsOf<FitLimits>().scanner_scale);
+/// Standard deviation of the scale of usual scans.
+double usualScale() {
+  double squares = 0, shares = 0;
+  for (const auto& [scale, share] : settingsOf<MisfitPrior>().scales)
+    squares += share * scale * scale, shares += share;
+  return std::sqrt(squares / shares);
 }
 
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
@@ -199,9 +214,7 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
   compareMirrored(evidence, scalp, face, sparse, mri_T_camera);
-  if (isNoFit(evidence.closeness) || evidence.closeness.bare_mm > settingsOf<FitLimits>().suspect_mm)
-    std::tie(evidence.fitting_scale, evidence.scale_log_odds) =
-        fittingScale(scalp, face, sparse, mri_T_camera);
+  compareSizes(evidence, scalp, face, sparse, mri_T_camera);
   if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals);
   return evidence;
 }
@@ -209,17 +222,17 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
 void requireLikeness(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   const Closeness& closeness = evidence.closeness;
-  const bool is_resized = evidence.scale_log_odds > limits.resized;  // little of a resized face lies close
-  if (closeness.face_points < 300 || (closeness.extent_mm < limits.least_extent_mm && !is_resized))
+  if (closeness.face_points < 300 || closeness.extent_mm < limits.least_extent_mm)
     refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
-  if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit &&
-      !(is_resized && evidence.scale_log_odds > -evidence.mirror_log_odds))
+  const bool is_own = evidence.own_log_odds > limits.least_own;
+  const bool is_resized = is_own && isRareSize(evidence.fitting_scale, 0.0);
+  if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_resized)
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
   if (is_resized) refuseSize(evidence.fitting_scale);
-  if (isNoFit(closeness))
+  if (!is_own)
     refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
-               " of it lies on the skin, median distance " + fixed(closeness.median_mm, 1) + " mm)",
+               " of it lies on the skin, by " + fixed(closeness.bare_mm, 1) + " mm)",
            "check that this is the patient's own MRI, and measure the face again");
   if (evidence.mirror_log_odds < limits.least_unmirrored)
     refuse("the face cannot be distinguished from its mirror image",
@@ -231,9 +244,10 @@ void requireLikeness(const FitEvidence& evidence) {
 void requireTrust(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   requireLikeness(evidence);
-  if (evidence.turn && std::abs(evidence.turn->rad) > limits.refused_turn_z * evidence.turn->sigma_rad)
+  if (evidence.turn && std::abs(evidence.turn->rad) >
+                           limits.refused_turn_z * std::hypot(evidence.turn->sigma_rad, evidence.scanner_rad))
     refuseTurn(*evidence.turn);
-  if (scaleZ(evidence) > limits.refused_scale_z && std::abs(evidence.scale - 1) > limits.refused_scale)
+  if (evidence.scale_sigma > 0 && isRareSize(evidence.scale, evidence.scale_sigma))
     refuseSize(evidence.scale);
   if (!(evidence.predicted_error_mm < limits.largest_error_mm))
     refuse("too little of the face was measured to fix the pose (predicted error " +
@@ -248,12 +262,14 @@ bool isPartlyCovered(const FitEvidence& evidence) {
 std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   std::vector<std::string> cautions;
-  const double off = std::abs(evidence.scale - 1);
-  if (scaleZ(evidence) > limits.caution_scale_z ||
-      (off > limits.caution_scale && off > 3 * evidence.scale_sigma))
+  const double unusual = std::abs(evidence.scale - 1) / std::hypot(evidence.scale_sigma, usualScale());
+  if (evidence.scale_sigma > 0 && unusual > limits.caution_scale_z)
     cautions.push_back("the cameras measure the face at " + percentOf(evidence.scale) +
                        " of the MRI's size (+/- " + fixed(100 * evidence.scale_sigma, 1) +
                        "): check the square size that they were calibrated with, and the MRI's size");
+  if (evidence.predicted_error_mm > limits.large_error_mm)
+    cautions.push_back("the face fixes the pose to " + fixed(evidence.predicted_error_mm, 1) +
+                       " mm only: show more of the face to both cameras, and keep it calm");
   const double loose_mm = std::max(evidence.closeness.bare_mm, evidence.misfit_mm);
   if (loose_mm > limits.loose_mm)
     cautions.push_back("the skin fits loosely (by " + fixed(loose_mm, 1) +

@@ -11,11 +11,9 @@ namespace facenav::registration {
 /// How closely a face lies on the skin at a pose.
 struct Closeness {
   std::size_t face_points = 0;  // on a 3 mm grid, with a counterpart that faces the camera, within 15 mm
-  double close_fraction = 0.0;  // share of the points expected on bare skin within 1.5 mm of it
-  double bare_share = 0.0;      // share of these outside covered patches
+  double bare_share = 0.0;      // share of the points expected on bare skin outside covered patches
   double bare_mm = 0.0;         // median |residual| of the bare points
-  double median_mm = 0.0, best_third_mm = 0.0;  // quantiles of |residual| up to 6 mm, bare or not
-  double extent_mm = 0.0;  // four sigma of the close points across or up the face, whichever is smaller
+  double extent_mm = 0.0;       // four sigma of the points near the skin across or up, whichever is smaller
 };
 
 /// Observations that decide about the final fit.
@@ -28,8 +26,11 @@ struct FitEvidence {
   // Size of the live face over that of the scan, fitted together with the pose, with its standard error.
   double scale = 1.0, scale_sigma = 0.0;
   std::optional<CameraTurn> turn;  // sideways turn of the right camera
-  // Size at which a face that does not fit would fit; log odds 0: none.
-  double fitting_scale = 1.0, scale_log_odds = 0.0;
+  // Turn of the right camera that looks like a usual scale error of scan and calibration.
+  double scanner_rad = 0.0;
+  // Log likelihood ratio of this person's scan to another's, and the size of the live face over that of the
+  // scan at which the face is likeliest.
+  double own_log_odds = 0.0, fitting_scale = 1.0;
   double rival_log_odds = 1e9;  // log likelihood ratio of the pose to the best other pose
 };
 

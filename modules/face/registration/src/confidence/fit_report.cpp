@@ -10,6 +10,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/registration/fit_limits.h"
 #include "fit/robust_fit.h"
 
 namespace facenav::registration {
@@ -91,6 +92,23 @@ Vector6d headByTurn(const PosePosterior& posterior, const RigidTransform<Camera,
   return motion;
 }
 
+/// Turn of the right camera that changes the size of a face there as a usual scale error of scan and
+/// calibration does.
+double scannerTurn_rad(const TurnableCamera& right, const Point<Camera>& face) {
+  return settingsOf<FitLimits>().scanner_scale * face.mm.norm() / right.displacement(face.mm).norm();
+}
+
+/// Widens the turn's error where the face leaves the pose loose: a pose that gives way hides a size error of
+/// that share of the distance between face and brain, and with it a turn.
+CameraTurn widened(CameraTurn turn, double predicted_error_mm, double scanner_rad) {
+  constexpr double kFaceToBrain_mm = 100.0;
+  const FitLimits& limits = settingsOf<FitLimits>();
+  if (!(predicted_error_mm > limits.large_error_mm)) return turn;
+  turn.sigma_rad =
+      std::hypot(turn.sigma_rad, scanner_rad / limits.scanner_scale * predicted_error_mm / kFaceToBrain_mm);
+  return turn;
+}
+
 /// Caution about a turned camera. Returns nothing if chance explains the turn, or if its effect is small.
 std::optional<std::string> turnedCameraCaution(const PosePosterior& posterior, const Vector6d& head_by_turn,
                                                const Eigen::Vector3d& face_camera_mm) {
@@ -143,9 +161,9 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
   return fit;
 }
 
-AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
+AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, FinalFit fit,
                        const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence,
-                       const std::optional<TurnableCamera>& right) {
+                       const AlignmentStart& start) {
   AlignmentResult result;
   result.camera_T_mri = RigidTransform<Camera, Mri>::fromIsometry(fit.mri_T_camera.inverse());
   result.covariance = inCamera(fit.posterior.covariance, scalp.middle_mm(), result.camera_T_mri.rotation());
@@ -153,6 +171,14 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   result.misfit_mm = fit.posterior.field_mm;
   evidence.predicted_error_mm = worstInBrain_mm(result, scalp.middle_mm());
   evidence.misfit_mm = result.misfit_mm;
+  // A marker measures the turn without the scan.
+  const bool is_by_marker =
+      start.known_turn && fit.posterior.turn && fit.posterior.turn->sigma_rad <= start.known_turn->sigma_rad;
+  if (start.right && !is_by_marker)
+    evidence.scanner_rad =
+        scannerTurn_rad(*start.right, result.camera_T_mri * Point<Mri>(scalp.noseTip_mm()));
+  if (evidence.scanner_rad > 0 && fit.posterior.turn)
+    fit.posterior.turn = widened(*fit.posterior.turn, evidence.predicted_error_mm, evidence.scanner_rad);
   result.right_turn = evidence.turn = fit.posterior.turn;
   evidence.scale = 1.0 + fit.posterior.scale;
   evidence.scale_sigma = fit.posterior.scale_sigma;
@@ -187,7 +213,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   face_mri_mm /= std::max(1, result.points);
   result.covariance += bySize(fit.posterior, face_mri_mm, scalp.middle_mm(), result.camera_T_mri.rotation());
   const Eigen::Vector3d face_camera_mm = (result.camera_T_mri * Point<Mri>(face_mri_mm)).mm;
-  result.right = right;
+  result.right = start.right;
   result.head_by_turn = headByTurn(fit.posterior, result.camera_T_mri, scalp.middle_mm(), face_camera_mm);
   if (const auto words = turnedCameraCaution(fit.posterior, result.head_by_turn, face_camera_mm))
     result.cautions.push_back(*words);

@@ -32,9 +32,9 @@ FinalFit judge(const ScalpField& scalp, const PointCloud<Camera>& face, const st
 /// Throws Error("not aligned: ...") if the fit is doubtful. `closest`: the pose before the misfit model, at
 /// which the skins lie closest; the model may put one skin outside the other everywhere. `covers`,
 /// `evidence`: as found at `closest`.
-AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, const FinalFit& fit,
+AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, FinalFit fit,
                        const Eigen::Isometry3d& closest, const Covers& covers, FitEvidence evidence,
-                       const std::optional<TurnableCamera>& right = {});
+                       const AlignmentStart& start = {});
 
 /// Throws Error("not aligned: ...") before any fit: no skin, a defaced scan, too few points.
 void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face);

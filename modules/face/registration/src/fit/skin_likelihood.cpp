@@ -13,8 +13,12 @@ namespace {
 
 // Possible sizes of the misfit: log-normal with median 0.35 mm, one sigma is a factor of e^0.8. Possible
 // sizes of detail: of the skin (noise of the cloud, the scan's voxels, stubble) and of covers (cloth, hair).
-constexpr std::array<double, 5> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6}, kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06};
+constexpr std::array<double, 6> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6, 3.2},
+    kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06, 0.0};
 constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.25, 0.35, 0.3, 0.1};
+// The same for another person's scan at the pose where it fits best.
+constexpr std::array<double, 6> kOtherSizeShare{0.0, 0.0, 0.0, 0.02, 0.3, 0.68};
+constexpr std::array<double, 4> kOtherDetailShare{0.0, 0.01, 0.2, 0.79};
 constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
 // Number of independent values of detail in a fully visible patch. The matcher's window leaves some 20; a
 // lower number accounts for the unmodelled correlation between neighbouring patches.
@@ -27,6 +31,15 @@ constexpr double kGross = 0.05, kGross_per_mm = 0.05;  // outliers within a patc
 // Log odds: cost of each pair of neighbours with different labels, and prior of a cover over mostly bare
 // skin. A mask over half a face costs 8 in total.
 constexpr double kRim = 0.3, kBare = -0.15, kHairy = 0.06;
+
+constexpr double kNever = -1e300;  // logarithm of no share
+
+template <std::size_t kCount>
+std::array<double, kCount> logsOf(const std::array<double, kCount>& shares) {
+  std::array<double, kCount> logs{};
+  for (std::size_t s = 0; s < kCount; ++s) logs[s] = shares[s] > 0 ? std::log(shares[s]) : kNever;
+  return logs;
+}
 
 double skinDensity(double residual_mm, double sigma_mm) {
   const double u = residual_mm / sigma_mm;
@@ -104,6 +117,14 @@ struct SkinLikelihood::Patch {
   double covered = 0.0;
   double prior = kBare;  // log odds of being covered
 };
+
+/// Logarithms of the shares of sizes and details.
+struct SkinLikelihood::Prior {
+  std::array<double, kSizes> sizes;
+  std::array<double, kDetails> details;
+};
+const SkinLikelihood::Prior SkinLikelihood::kOwn{logsOf(kSizeShare), logsOf(kDetailShare)};
+const SkinLikelihood::Prior SkinLikelihood::kOther{logsOf(kOtherSizeShare), logsOf(kOtherDetailShare)};
 
 struct SkinLikelihood::Labels {
   double log_evidence = 0.0;
@@ -205,7 +226,7 @@ std::vector<double> SkinLikelihood::coveredAlone(const std::vector<Patch>& patch
 
 /// Mean field over labels and sizes for one detail, starting from the given labels.
 SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, std::size_t detail,
-                                             std::vector<double> covered_at_first) const {
+                                             const Prior& prior, std::vector<double> covered_at_first) const {
   constexpr int kMostSweeps = 15;
   constexpr double kSettled = 0.01;
   Labels labels{0.0, std::move(covered_at_first)};
@@ -215,13 +236,8 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
     for (std::size_t s = 0; s < kSizes; ++s) sum += share[s] * patch.bare[detail][s];
     return sum;
   };
-  static const std::array<double, kSizes> log_shares = [] {
-    std::array<double, kSizes> out{};
-    for (std::size_t s = 0; s < kSizes; ++s) out[s] = std::log(kSizeShare[s]);
-    return out;
-  }();
   const auto bySizes = [&] {
-    logs = log_shares;
+    logs = prior.sizes;
     for (std::size_t i = 0; i < patches.size(); ++i)
       for (std::size_t s = 0; s < kSizes; ++s)
         logs[s] += (1 - labels.covered[i]) * patches[i].bare[detail][s];
@@ -251,14 +267,15 @@ SkinLikelihood::Labels SkinLikelihood::label(const std::vector<Patch>& patches, 
 SkinLikelihood::Labels SkinLikelihood::unlabelled(const std::vector<Patch>& patches) const {
   std::vector<Patch> blank(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) blank[i].prior = patches[i].prior;
-  return label(blank, 0, std::vector<double>(blank.size(), 0.0));
+  return label(blank, 0, kOwn, std::vector<double>(blank.size(), 0.0));
 }
 
 /// Upper bound of the evidence for this detail: each patch takes its best label, and all neighbours agree.
-double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const {
-  double most = -1e300, agreement = 0;
-  for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());
+double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size_t detail, const Prior& prior,
+                                    double agreement) {
+  double most = -1e300;
   for (std::size_t s = 0; s < kSizes; ++s) {
+    if (prior.sizes[s] <= kNever) continue;
     double sum = agreement;
     for (const Patch& patch : patches) sum += logEither(patch.bare[detail][s], patch.covered + patch.prior);
     most = std::max(most, sum);
@@ -267,20 +284,22 @@ double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size
 }
 
 template <class Visitor>
-double SkinLikelihood::sumOut(const std::vector<Patch>& patches, Visitor&& visit) const {
+double SkinLikelihood::sumOut(const std::vector<Patch>& patches, const Prior& prior, Visitor&& visit) const {
   constexpr double kNegligible = 10.0;  // difference of log evidence
+  double agreement = 0;
+  for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());
   std::array<std::pair<double, std::size_t>, kDetails> promising;
   for (std::size_t d = 0; d < kDetails; ++d)
-    promising[d] = {std::log(kDetailShare[d]) + mostEvidence(patches, d), d};
+    promising[d] = {prior.details[d] + mostEvidence(patches, d, prior, agreement), d};
   std::sort(promising.begin(), promising.end(), std::greater<>());
   std::vector<double> logs;
   std::vector<Labels> all;
   for (const auto& [most, d] : promising) {
     if (!logs.empty() && most < *std::max_element(logs.begin(), logs.end()) - kNegligible) break;
-    Labels labels = label(patches, d, coveredAlone(patches, d));
-    Labels other = label(patches, d, std::vector<double>(patches.size(), 0.0));
+    Labels labels = label(patches, d, prior, coveredAlone(patches, d));
+    Labels other = label(patches, d, prior, std::vector<double>(patches.size(), 0.0));
     if (other.log_evidence > labels.log_evidence) labels = std::move(other);
-    logs.push_back(std::log(kDetailShare[d]) + labels.log_evidence);
+    logs.push_back(prior.details[d] + labels.log_evidence);
     all.push_back(std::move(labels));
   }
   const double sum = logSum(logs.data(), logs.size());
@@ -290,12 +309,18 @@ double SkinLikelihood::sumOut(const std::vector<Patch>& patches, Visitor&& visit
 
 double SkinLikelihood::operator()(const std::vector<PointMatch>& matches) const {
   const auto patches = gather(matches);
-  return sumOut(patches, [](double, const std::vector<double>&) {}) - unlabelled(patches).log_evidence;
+  return sumOut(patches, kOwn, [](double, const std::vector<double>&) {}) - unlabelled(patches).log_evidence;
+}
+
+SkinLikelihood::ByPerson SkinLikelihood::byPerson(const std::vector<PointMatch>& matches) const {
+  const auto patches = gather(matches);
+  const auto nothing = [](double, const std::vector<double>&) {};
+  return {sumOut(patches, kOwn, nothing), sumOut(patches, kOther, nothing)};
 }
 
 std::vector<float> SkinLikelihood::covered(const std::vector<PointMatch>& matches) const {
   std::vector<double> sum(neighbours_.size(), 0.0);
-  sumOut(gather(matches), [&](double share, const std::vector<double>& covered) {
+  sumOut(gather(matches), kOwn, [&](double share, const std::vector<double>& covered) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * covered[i];
   });
   std::vector<float> out;

@@ -25,21 +25,31 @@ class SkinLikelihood {
   /// Log likelihood of the matches of all points at a pose. Only differences between poses have a meaning.
   double operator()(const std::vector<PointMatch>& matches) const;
 
+  /// Log likelihoods at a pose if the scan is this person's, and if it is another person's: then the skin
+  /// lies millimetres off, on either side, and its detail differs.
+  struct ByPerson {
+    double own = 0.0, other = 0.0;
+  };
+  ByPerson byPerson(const std::vector<PointMatch>& matches) const;
+
   /// Probability at a pose that each point's patch is covered.
   std::vector<float> covered(const std::vector<PointMatch>& matches) const;
 
  private:
-  static constexpr std::size_t kSizes = 5, kDetails = 4;
+  static constexpr std::size_t kSizes = 6, kDetails = 4;
+  struct Prior;
   struct Patch;
   struct Labels;
+  static const Prior kOwn, kOther;
   std::vector<Patch> gather(const std::vector<PointMatch>& matches) const;
   static std::vector<double> coveredAlone(const std::vector<Patch>& patches, std::size_t detail);
-  Labels label(const std::vector<Patch>& patches, std::size_t detail,
+  Labels label(const std::vector<Patch>& patches, std::size_t detail, const Prior& prior,
                std::vector<double> covered_at_first) const;
   Labels unlabelled(const std::vector<Patch>& patches) const;
-  double mostEvidence(const std::vector<Patch>& patches, std::size_t detail) const;
+  static double mostEvidence(const std::vector<Patch>& patches, std::size_t detail, const Prior& prior,
+                             double agreement);
   template <class Visitor>
-  double sumOut(const std::vector<Patch>& patches, Visitor&& visit) const;
+  double sumOut(const std::vector<Patch>& patches, const Prior& prior, Visitor&& visit) const;
   double energy(const std::vector<double>& covered, const std::vector<Patch>& patches) const;
   double pull(const std::vector<double>& covered, std::size_t patch) const;
 

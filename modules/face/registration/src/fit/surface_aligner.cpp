@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <future>
 #include <optional>
 
@@ -8,6 +10,15 @@
 
 namespace facenav::registration {
 namespace {
+
+/// Takes the likeliest size into account. The fit may hide a size error in the pose, and then states too
+/// small a one.
+void takeSize(PosePosterior& posterior, double size) {
+  constexpr double kStep = 0.005;  // half the distance of two sizes that are tried
+  if (std::abs(size - 1.0) <= std::abs(posterior.scale)) return;
+  posterior.scale = size - 1.0;
+  posterior.scale_sigma = std::max(posterior.scale_sigma, kStep);
+}
 
 AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face, const RobustFit& robust,
                          const std::vector<Candidate>& rivals, const AlignmentStart& start,
@@ -24,9 +35,12 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
     throw;
   }
   fit->posterior.covariance += robust.doubt;
-  fit->posterior.turn = settledTurn(scalp, face, start, *fit);
+  const FitEvidence evidence = gathering.get();
+  requireLikeness(evidence);
+  takeSize(fit->posterior, evidence.fitting_scale);
+  fit->posterior.turn = settledTurn(scalp, face, start, *fit, evidence.fitting_scale);
   monitor.report("checking the fit", 0.9);
-  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, gathering.get(), start.right);
+  return report(scalp, face, *fit, robust.mri_T_camera, robust.covers, evidence, start);
 }
 
 AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, const AlignmentStart& start,
