@@ -20,9 +20,10 @@
 namespace facenav::steps {
 namespace {
 
-/// Ratio of predicted errors below which pictures with less prior trust are used.
+/// Ratio of bounds below which pictures with less prior trust are used.
 constexpr double kClearlyBetter = 0.85;
-// Largest bound (95 %) of an alignment without dots and without a marker: that of a wrong pose.
+// Largest bound (95 %) of an alignment without dots and without a marker: that of a wrong pose. Dense dots
+// with a wider bound do not settle the choice either.
 constexpr double kMostUnknown_mm = 3.0;
 
 /// An alignment, with its pictures for the case.
@@ -124,7 +125,7 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
 }
 
 bool isBetter(const AlignmentTry& other, const AlignmentTry& than) {
-  return *other.predicted_mm < kClearlyBetter * *than.predicted_mm;
+  return *other.bound_mm < kClearlyBetter * *than.bound_mm;
 }
 
 /// Caution where two ways place the head, at one moment, farther apart than both bounds.
@@ -160,6 +161,8 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
 struct Attempts {
   std::vector<AlignmentTry> tries;
   bool hasDenseDots() const { return best_ && best_->outcome.has_dense_dots; }
+  /// True if dense dots fix the pose so well that no other pictures are needed.
+  bool isSettled() const { return hasDenseDots() && *tries[used_].bound_mm <= kMostUnknown_mm; }
   void add(measured_face::AlignedFrom from, const casefile::CaseStore& store,
            const std::function<Aligned()>& align);
   /// Returns the best way. If none is accepted, throws the most informative error.
@@ -249,7 +252,7 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   Attempts attempts;
   bool was_marker_sought = false;
   for (const measured_face::AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
-    if (attempts.hasDenseDots() && (!order.tries_all || from == measured_face::AlignedFrom::film)) break;
+    if (attempts.isSettled() && (!order.tries_all || from == measured_face::AlignedFrom::film)) break;
     const bool has_dots =
         from == measured_face::AlignedFrom::dots && measured_face::showsDots(*recording.capture);
     if (!has_dots && coil_tracker && !std::exchange(was_marker_sought, true))

@@ -265,8 +265,9 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   outcome.landmarks = measured_face::findFace(rig, capture.plain, setup.detector);
   outcome.from = from;
   const bool has_dots = from == measured_face::AlignedFrom::dots;
-  outcome.has_dense_dots =
-      has_dots && measured_face::showsDots(capture) && !measured_face::areDotsSparse(capture);
+  const auto face_box = outcome.landmarks.left ? std::optional(outcome.landmarks.left->face) : std::nullopt;
+  outcome.has_dense_dots = has_dots && measured_face::showsDots(capture, face_box) &&
+                           !measured_face::areDotsSparse(capture, face_box);
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {

@@ -211,6 +211,19 @@ TEST_F(AlignRecording, DotsThatStandAreEnough) {
   EXPECT_EQ(answers_.asked, 1u);
 }
 
+TEST_F(AlignRecording, DotsWithAWideBoundAreComparedWithThePlainPairByTheirBounds) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm = {3.0, 0.5, 3.0, 2.9};
+  EXPECT_EQ(alignRecording(methods_, *store_, recording_, {"fake"}, monitor).outcome.from,
+            measured_face::AlignedFrom::plain);
+  EXPECT_EQ(alignRecording(methods_, *store_, recording_, {"fake"}, monitor).outcome.from,
+            measured_face::AlignedFrom::dots)
+      << "not clearly better";
+  EXPECT_EQ(answers_.asked, 4u);
+}
+
 TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
   recording_.capture = plain();
   answers_.sigmas_mm = {3.0, 0.5, 0.5, 0.5, 0.5, 0.5};

@@ -48,12 +48,13 @@ struct CaseAlignment {
   std::vector<AlignmentTry> tries;  // dots, plain, film: those that the recording has pictures for
 };
 
-/// Aligns from the pair with dots, else from the plain pair or the film, whichever predicts less error. An
-/// alignment without dots is accepted if the coil's marker, at rest in the same pictures, measures the
-/// cameras' pose, if its bound with all unknowns is small, or if the order allows an unsure one. If the best
-/// pictures show another head or moved cameras, no other pictures are tried. Writes alignment.json, the map
-/// of the skin's fit and the pictures into the case. Throws Error ("not aligned: ..") if no way is accepted,
-/// or if `order.from` names absent pictures; the previous alignment is then unchanged.
+/// Aligns from the pair with dots; if its bound is wide, or without dense dots, also from the plain pair and
+/// the film, and uses the one with the clearly smallest bound. An alignment without dots is accepted if the
+/// coil's marker, at rest in the same pictures, measures the cameras' pose, if its bound with all unknowns is
+/// small, or if the order allows an unsure one. If the best pictures show another head or moved cameras, no
+/// other pictures are tried. Writes alignment.json, the map of the skin's fit and the pictures into the case.
+/// Throws Error ("not aligned: ..") if no way is accepted, or if `order.from` names absent pictures; the
+/// previous alignment is then unchanged.
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& recording, const AlignOrder& order,
                              TaskMonitor& monitor);
