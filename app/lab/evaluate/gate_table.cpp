@@ -71,13 +71,15 @@ std::string percent(int part, int whole) {
 /// Row of the summary for the trials of one fault.
 std::string summaryRow(const std::string& name, const std::vector<const GateRow*>& rows) {
   int accepted = 0, found = 0, inside = 0, over = 0, wrong = 0, wrong_trials = 0, named = 0, right = 0;
-  int visible = 0, tracked = 0;
+  int visible = 0, tracked = 0, seen = 0;
   std::vector<double> start_mm, errors_mm;
   for (const auto* row : rows) {
     accepted += row->is_accepted, found += row->is_found_again, inside += row->isInsideBound();
     visible += row->visible > 0 ? row->visible : room::WorldRoom::frameCount(), tracked += row->tracked;
     over += row->over_tolerance, wrong += row->wrong_shown, wrong_trials += row->wrong_shown > 0;
-    named += row->isNamed(), right += row->isNamed() && row->isNamedRightly();
+    seen += row->isFaultSeen();
+    named += row->isFaultSeen() && row->isNamed();
+    right += row->isFaultSeen() && row->isNamed() && row->isNamedRightly();
     if (row->is_accepted) start_mm.push_back(row->start_mm);
     errors_mm.insert(errors_mm.end(), row->errors_mm.begin(), row->errors_mm.end());
   }
@@ -86,7 +88,7 @@ std::string summaryRow(const std::string& name, const std::vector<const GateRow*
   return formatted("| %s | %s | %s | %s | %.2f / %.2f | %s | %.2f / %.2f | %d in %d | %d | %s | %s |\n",
                    name.c_str(), percent(accepted, count).c_str(), percent(tracked, visible).c_str(),
                    percent(found, count).c_str(), start.median, start.p95, percent(inside, accepted).c_str(),
-                   all.median, all.p95, wrong, wrong_trials, over, percent(named, count).c_str(),
+                   all.median, all.p95, wrong, wrong_trials, over, percent(named, seen).c_str(),
                    percent(right, named).c_str());
 }
 

@@ -162,6 +162,14 @@ std::string inWords(const std::map<std::string, int>& losses) {
   return words;
 }
 
+/// The program's words without the trial's own folder.
+std::string wordsOf(const Error& refusal, const Trial& trial) {
+  std::string words = refusal.what();
+  const std::string folder = trial.recording.parent_path().string() + "/";
+  for (std::size_t at; (at = words.find(folder)) != std::string::npos;) words.erase(at, folder.size());
+  return words;
+}
+
 steps::TrackRequest requestOf(const Context& context, const Trial& trial) {
   steps::TrackRequest request;
   request.recording = trial.recording;
@@ -181,7 +189,7 @@ void trackAlone(Context& context, const Trial& trial, GateRow& row) {
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& refusal) {
-    row.refusal_alone = refusal.what();
+    row.refusal_alone = wordsOf(refusal, trial);
   }
   if (frames > 0) row.tracked_alone = double(tracked) / frames;
 }
@@ -205,7 +213,7 @@ void track(Context& context, const Trial& trial, GateRow& row) {
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& refusal) {
-    row.refusal = refusal.what();
+    row.refusal = wordsOf(refusal, trial);
     for (const auto& name : faultsNamedIn(row.refusal)) row.named.insert(name);
   }
   row.losses = inWords(losses);

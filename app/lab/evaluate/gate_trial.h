@@ -42,6 +42,8 @@ struct GateRow {
   double room_s = 0.0, product_s = 0.0;        // processor time
 
   bool isInsideBound() const { return is_accepted && start_mm <= bound_mm; }
+  /// False if the fault begins after the gap, and the start was refused: nothing was shown of it.
+  bool isFaultSeen() const { return fault.is_from_start || is_accepted; }
   /// True if every fault that was named is the right one. Without a fault: none was named.
   bool isNamedRightly() const;
   bool isNamed() const { return !named.empty() || is_delay_found; }
