@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kFewestPoints = 500;
 constexpr double kSuspicious_px = 0.12;  // row disagreement; 0.02 .. 0.05 px fit the calibration
-constexpr double kMoved_px = 0.6;        // no calibration is that bad: the cameras have moved
 constexpr double kBlack_grey = 6.0;      // least level of the brightest percent; below: no light
 
 double brightLevel(const cv::Mat& image) {
@@ -127,18 +126,18 @@ FaceCloud measureFace(const cameras::StereoRig& rig, const cameras::StereoFrame&
   FaceCloud face = measureOnce(rig, frame, options, monitor);
   const bool is_too_few = face.cloud.size() < kFewestPoints;
   if (is_too_few || rowError_px(face) > kSuspicious_px) refuseSwapped(rig, frame, options, face, monitor);
-  const double row_shift_px = is_too_few ? bestRowShift(rig, frame, options) : rowError_px(face);
-  if (std::abs(row_shift_px) > kMoved_px) {
-    throw Error(formatted("the images disagree with the calibration by %.1f px across the rows",
-                          std::abs(row_shift_px)),
-                {}, "the cameras have moved: calibrate again");
-  }
-  if (is_too_few)
+  if (is_too_few) {
+    const double rows = bestRowShift(rig, frame, options);
+    if (rows != 0)
+      throw Error(
+          formatted("the images disagree with the calibration by %.1f px across the rows", std::abs(rows)),
+          {}, "the cameras have moved: calibrate again");
     throw Error((options.has_dots ? "no dots found: only " : "too little texture: only ") +
                     std::to_string(face.cloud.size()) + " points match in both images",
                 {},
                 options.has_dots ? "check projector, exposure, depth range and calibration"
                                  : "check light, focus, depth range and calibration");
+  }
   return face;
 }
 
