@@ -13,9 +13,11 @@
 #include "facenav/casefile/skin_fit_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/measured_face/projected_dots.h"
 #include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/prepare/case_pictures.h"
+#include "facenav/registration/fit_limits.h"
 
 namespace facenav::steps {
 namespace {
@@ -38,11 +40,18 @@ bool hasPattern(const capture::CapturePair& capture) {
   return !dots.empty() && (dots.size() != plain.size() || cv::norm(dots, plain, cv::NORM_INF) > 0);
 }
 
+/// True if the pair shows dots, on the face or anywhere.
+bool areDotsSeen(const capture::Recording& recording, const face::FaceDetector& detector) {
+  if (!recording.capture || !hasPattern(*recording.capture)) return false;
+  const auto face = measured_face::findFace(recording.rig, recording.capture->plain, detector).left;
+  return measured_face::showsDots(*recording.capture) ||
+         (face && measured_face::showsDots(*recording.capture, face->face));
+}
+
 /// Lists the ways for which the recording has pictures. If the projector was off, they are a plain pair.
-std::vector<measured_face::AlignedFrom> waysOf(const capture::Recording& recording) {
+std::vector<measured_face::AlignedFrom> waysOf(const capture::Recording& recording, bool shows_dots) {
   std::vector<measured_face::AlignedFrom> ways;
-  if (recording.capture && measured_face::showsDots(*recording.capture))
-    ways.push_back(measured_face::AlignedFrom::dots);
+  if (shows_dots) ways.push_back(measured_face::AlignedFrom::dots);
   if (recording.capture) ways.push_back(measured_face::AlignedFrom::plain);
   if (recording.frame_count > 1) ways.push_back(measured_face::AlignedFrom::film);
   return ways;
@@ -105,7 +114,8 @@ class UnknownTurn : public NotMeasured {
   using NotMeasured::NotMeasured;
 };
 
-void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recording& recording) {
+/// `was_projector_off`: there are pictures for the dots, and they show none.
+void requireKnownCameras(const AlignmentOutcome& outcome, bool was_projector_off) {
   const double bound_mm = worstBound_mm(outcome);
   // An aligner that fits no turn does not use the marker either.
   if (outcome.result.right_turn && (outcome.is_marker_seen || bound_mm <= kMostUnknown_mm)) return;
@@ -117,8 +127,6 @@ void requireKnownCameras(const AlignmentOutcome& outcome, const capture::Recordi
   if (outcome.is_marker_contradicted) throw UnknownTurn(words + "; " + kMarkerContradicted);
   if (isSizeUnknown(*outcome.skin)) throw UnknownTurn(words + "; " + kSizeUnknown);
   words += "; hold the coil still beside the face, its marker to both cameras, and take the pictures again";
-  const bool was_projector_off =
-      recording.capture && hasPattern(*recording.capture) && !measured_face::showsDots(*recording.capture);
   words += was_projector_off ? " (or switch the projector on: its picture shows no dots)"
                              : " (or with a projector's dots)";
   throw UnknownTurn(words);
@@ -157,6 +165,9 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
   return words;
 }
 
+/// Log odds that show this person's scan, or with the other sign another person's.
+double leastOwn() { return settingsOf<registration::FitLimits>().least_own; }
+
 /// The ways tried so far.
 struct Attempts {
   std::vector<AlignmentTry> tries;
@@ -173,6 +184,8 @@ struct Attempts {
   std::optional<Aligned> best_;
   std::size_t used_ = 0;
   std::optional<Error> error_;
+  bool is_turn_unknown_ = false;  // error_ says so
+  double against_ = 0.0;          // what refused ways say about this person's scan, if against it: log odds
 };
 
 void Attempts::take(Aligned aligned) {
@@ -193,11 +206,16 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const Cancelled&) {
     throw;
   } catch (const UnknownTurn& error) {  // contains advice for use with or without a projector
-    error_ = error;
+    error_ = error, is_turn_unknown_ = true;
     now.refusal = error.what();
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
+  } catch (const registration::NotThisPerson& error) {
+    now.refusal = error.what();
+    if (!best_ && error.own_log_odds < -leastOwn()) throw Error(inWordsOf(store, now.refusal));
+    if (!is_turn_unknown_) error_ = error;
+    against_ = std::min(against_, error.own_log_odds);
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
     if (!best_ && words != error.what()) throw Error(words);
@@ -208,7 +226,10 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
 }
 
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
-  if (best_) return std::move(*best_);
+  // All ways show one head: what one says against this person, another must outweigh.
+  const bool is_this_person =
+      best_ && (against_ >= 0 || best_->outcome.result.own_log_odds + against_ > leastOwn());
+  if (is_this_person) return std::move(*best_);
   if (error_) throw Error(inWordsOf(store, error_->what()));
   throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),
               "record a still pair (facenav record --capture) or a film of the face");
@@ -249,17 +270,19 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                        order.coil ? *order.coil : coilNamedIn({recording.folder, store.folder()}),
                        coil_tracker.get()};
   if (order.from) requirePictures(recording, *order.from);
+  const bool shows_dots = areDotsSeen(recording, *detector);
+  const bool was_projector_off = !shows_dots && recording.capture && hasPattern(*recording.capture);
   Attempts attempts;
   bool was_marker_sought = false;
-  for (const measured_face::AlignedFrom from : order.from ? std::vector{*order.from} : waysOf(recording)) {
+  for (const measured_face::AlignedFrom from :
+       order.from ? std::vector{*order.from} : waysOf(recording, shows_dots)) {
     if (attempts.isSettled() && (!order.tries_all || from == measured_face::AlignedFrom::film)) break;
-    const bool has_dots =
-        from == measured_face::AlignedFrom::dots && measured_face::showsDots(*recording.capture);
+    const bool has_dots = from == measured_face::AlignedFrom::dots && shows_dots;
     if (!has_dots && coil_tracker && !std::exchange(was_marker_sought, true))
       setup.marker = restingMarkerIn(recording, setup.coil, *coil_tracker);
     attempts.add(from, store, [&] {
       Aligned aligned = align(methods, recording, from, order, setup, monitor);
-      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, recording);
+      if (!has_dots && !order.may_be_unsure) requireKnownCameras(aligned.outcome, was_projector_off);
       return aligned;
     });
   }

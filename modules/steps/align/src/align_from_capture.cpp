@@ -103,12 +103,12 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
 /// Runs `measureAndFit`; if it fails, runs it once more without the landmarks, under the same tests, because
 /// the detector may have found something else (a scan that ends at the nose, a poster, a mask). If both fail,
 /// returns the first error, which is more informative.
-std::optional<Error> withoutLandmarksIfMisled(measured_face::FaceInSpace& landmarks,
-                                              const std::function<void()>& measureAndFit) {
-  const auto first = errorOf(measureAndFit);
+std::exception_ptr withoutLandmarksIfMisled(measured_face::FaceInSpace& landmarks,
+                                            const std::function<void()>& measureAndFit) {
+  const auto first = failureOf(measureAndFit);
   if (!first || !landmarks.left) return first;
   landmarks = {};
-  return errorOf(measureAndFit) ? first : std::nullopt;
+  return failureOf(measureAndFit) ? first : nullptr;
 }
 
 using Field = std::shared_future<std::shared_ptr<const registration::ScalpField>>;
@@ -167,8 +167,22 @@ std::optional<std::string> unmeasuredTurn(const AlignmentSetup& setup, const Ali
          "taken, and align again";
 }
 
+/// Says that the cameras' rows disagree by far more than their calibration's residuals. A turn up or down
+/// causes that. It hardly moves the face, but a sideways turn may come with it; that one is in the bound.
+std::optional<std::string> disagreeingRows(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
+  constexpr double kResiduals = 3.0;
+  const auto rows_px = outcome.face.epipolar_median_px;
+  if (!rows_px || !rig.rms_px || std::abs(*rows_px) < kResiduals * *rig.rms_px) return std::nullopt;
+  return formatted(
+      "the images disagree with the calibration by %.1f px across the rows: the cameras may have moved "
+      "since; check them with the board, or calibrate again",
+      std::abs(*rows_px));
+}
+
 /// Sets the results that follow from an accepted fit.
-void conclude(const AlignmentSetup& setup, const cameras::StereoFrame& plain, AlignmentOutcome& outcome) {
+void conclude(const cameras::StereoRig& rig, const AlignmentSetup& setup, const cameras::StereoFrame& plain,
+              AlignmentOutcome& outcome) {
+  if (const auto words = disagreeingRows(rig, outcome)) outcome.result.cautions.push_back(*words);
   if (const auto changed = changedSettingsFinding("aligned")) outcome.result.cautions.push_back(*changed);
   if (const auto words = unmeasuredTurn(setup, outcome)) outcome.result.cautions.push_back(*words);
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
@@ -266,8 +280,10 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
   outcome.from = from;
   const bool has_dots = from == measured_face::AlignedFrom::dots;
   const auto face_box = outcome.landmarks.left ? std::optional(outcome.landmarks.left->face) : std::nullopt;
-  outcome.has_dense_dots = has_dots && measured_face::showsDots(capture, face_box) &&
-                           !measured_face::areDotsSparse(capture, face_box);
+  const bool is_on_face = face_box && measured_face::showsDots(capture, face_box);
+  const auto seen_in = is_on_face ? face_box : std::nullopt;
+  outcome.has_dense_dots = has_dots && measured_face::showsDots(capture, seen_in) &&
+                           !measured_face::areDotsSparse(capture, seen_in);
   const cameras::StereoFrame& measured = has_dots ? capture.pattern : capture.plain;
   bool is_measured = false;
   const auto measureAndFit = [&] {
@@ -277,9 +293,9 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
     is_measured = true;
     fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };
-  if (const auto error = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
-    refuseAlignment(rig, capture, from, *error, is_measured, setup.matcher);
-  conclude(setup, capture.plain, outcome);
+  if (const auto failure = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
+    refuseAlignment(rig, capture, from, failure, is_measured, setup.matcher, face_box);
+  conclude(rig, setup, capture.plain, outcome);
   if (has_dots) requireStillHead(rig, outcome);
   return outcome;
 }
@@ -297,9 +313,10 @@ AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, s
   outcome.face = std::move(measured.cloud.face);
   outcome.fused_frames = measured.fused;
   const cameras::StereoFrame& plain = *measured.first;
-  if (const auto error = errorOf([&] { fit(film.rig(), setup, field, plain, plain, monitor, outcome); }))
-    refuseAlignment(film.rig(), {plain, plain}, outcome.from, *error, true, outcome.matcher);
-  conclude(setup, plain, outcome);
+  if (const auto failure = failureOf([&] { fit(film.rig(), setup, field, plain, plain, monitor, outcome); }))
+    refuseAlignment(film.rig(), {plain, plain}, outcome.from, failure, true, outcome.matcher,
+                    outcome.landmarks.left ? std::optional(outcome.landmarks.left->face) : std::nullopt);
+  conclude(film.rig(), setup, plain, outcome);
   return outcome;
 }
 

@@ -6,29 +6,43 @@
 
 namespace facenav::steps {
 
-std::optional<Error> errorOf(const std::function<void()>& task) {
+std::exception_ptr failureOf(const std::function<void()>& task) {
   try {
     task();
-    return std::nullopt;
+    return nullptr;
   } catch (const health::RigError&) {
     throw;
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error& error) {
-    return error;
+  } catch (const Error&) {
+    return std::current_exception();
   }
 }
 
-[[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                                  measured_face::AlignedFrom from, const Error& error, bool is_measured,
-                                  const std::string& matcher) {
-  const auto diagnosis = health::diagnosePair(rig, capture.plain);
-  if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
-  if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture)) {
-    if (is_measured) throw error;
-    throw NotMeasured(error.what());
+namespace {
+
+std::string wordsOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Error& error) {
+    return error.what();
   }
-  std::string reason = error.what();
+}
+
+}  // namespace
+
+[[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
+                                  measured_face::AlignedFrom from, const std::exception_ptr& failure,
+                                  bool is_measured, const std::string& matcher,
+                                  const std::optional<cv::Rect>& face) {
+  const auto diagnosis = health::diagnosePair(rig, capture.plain, face);
+  if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
+  if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture) ||
+      measured_face::showsDots(capture, face)) {
+    if (is_measured) std::rethrow_exception(failure);
+    throw NotMeasured(wordsOf(failure));
+  }
+  std::string reason = wordsOf(failure);
   const std::string prefix = "not aligned: ";
   if (reason.rfind(prefix, 0) == 0) reason.erase(0, prefix.size());
   const bool is_default = matcher == stereo::kDefaultMatcher;

@@ -2,8 +2,9 @@
 // Diagnoses a failed or doubtful alignment: moved cameras, unsynchronised images, projector off. Camera
 // frame, mm.
 
+#include <exception>
 #include <functional>
-#include <optional>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "facenav/align/align_from_capture.h"
@@ -13,14 +14,16 @@
 
 namespace facenav::steps {
 
-/// Runs `task` and returns its error if another way may help. Errors that no other way avoids are rethrown: a
-/// fault of the cameras, and the user's stop.
-std::optional<Error> errorOf(const std::function<void()>& task);
+/// Runs `task` and returns its Error if another way may help; nullptr: none. Errors that no other way avoids
+/// are rethrown: a fault of the cameras, and the user's stop.
+std::exception_ptr failureOf(const std::function<void()>& task);
 
 /// Throws the reason of a failed alignment. Checks the cameras first, then the dots (if `from` needs them).
-/// If all are in order, throws the original error, as NotMeasured if the face was not even measured.
+/// `face`: in the left picture, where it was found; only matches there speak about the cameras. If all are in
+/// order, throws the original error, as NotMeasured if the face was not even measured.
 [[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                                  measured_face::AlignedFrom from, const Error& error, bool is_measured,
-                                  const std::string& matcher);
+                                  measured_face::AlignedFrom from, const std::exception_ptr& failure,
+                                  bool is_measured, const std::string& matcher,
+                                  const std::optional<cv::Rect>& face);
 
 }  // namespace facenav::steps

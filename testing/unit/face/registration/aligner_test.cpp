@@ -216,7 +216,7 @@ TEST(SurfaceAligner, StatesHowFarTheRightCameraTurnedAndRefusesMoreThanAScanCanE
     // A scan that is 2 % too large or too small looks like a turn of 0.2 deg.
     for (const double deg : {-0.2, 0.2})
       expectTurnStated(align(patientsField(), turned(cloud, deg), start), truth, deg);
-    for (const double deg : {-0.5, 0.5})
+    for (const double deg : {-0.6, -0.5, 0.5, 0.6})
       EXPECT_THROW(align(patientsField(), turned(cloud, deg), start), Error) << deg;
   }
 }

@@ -22,11 +22,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// Standard errors that the fake aligner returns in turn; a negative one refuses: another head.
+/// Standard errors that the fake aligner returns in turn; a negative one refuses: a mirrored head.
 struct Answers {
   std::vector<double> sigmas_mm;
-  double apart_mm = 0;   // difference from answer to answer
-  bool has_turn = true;  // gives an estimate of the camera's rotation, which is zero
+  std::vector<double> own_log_odds = {};  // in turn, of this person's scan; too little refuses. Empty: 20
+  double apart_mm = 0;                    // difference from answer to answer
+  bool has_turn = true;                   // gives an estimate of the camera's rotation, which is zero
   std::size_t asked = 0;
   registration::AlignmentStart start = {};  // prior knowledge at the last alignment
 };
@@ -39,8 +40,12 @@ class FakeAligner : public registration::Aligner {
                                       TaskMonitor&) const override {
     answers_.start = start;
     const double sigma_mm = answers_.sigmas_mm.at(answers_.asked++);
-    if (sigma_mm < 0) throw Error("not aligned: the face does not fit this MRI");
+    if (sigma_mm < 0) throw Error("not aligned: the MRI is mirrored");
     registration::AlignmentResult result;
+    result.own_log_odds = answers_.own_log_odds.empty() ? 20.0 : answers_.own_log_odds.at(answers_.asked - 1);
+    if (result.own_log_odds < 6)
+      throw registration::NotThisPerson("not aligned: the face does not fit this MRI", "",
+                                        result.own_log_odds);
     result.covariance.diagonal().tail<3>().setConstant(sigma_mm * sigma_mm / 3);
     if (answers_.has_turn) result.right_turn = registration::CameraTurn{0.0, 1e-4};
     result.points = int(face.size());
@@ -222,6 +227,31 @@ TEST_F(AlignRecording, DotsWithAWideBoundAreComparedWithThePlainPairByTheirBound
             measured_face::AlignedFrom::dots)
       << "not clearly better";
   EXPECT_EQ(answers_.asked, 4u);
+}
+
+TEST_F(AlignRecording, WhatOnePairCannotShowAnotherShows) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm = {0.5, 0.5, 0.5};
+  answers_.own_log_odds = {2, 2, 30};  // a refused face is fitted once more without the landmarks
+  const auto aligned = alignRecording(methods_, *store_, recording_, {"fake"}, monitor);
+  EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain);
+  EXPECT_THAT(aligned.tries.front().refusal, HasSubstr("does not fit"));
+}
+
+TEST_F(AlignRecording, WhatOnePairSaysAgainstThePersonAnotherMustOutweigh) {
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm = {0.5, 0.5, 0.5, 3.0, 0.5, 0.5, 0.5, 0.5};
+  answers_.own_log_odds = {-4, -4, 9, 9, -4, -4, -20, -20};
+  EXPECT_THAT(refusal(recording_), HasSubstr("does not fit this MRI"));  // 9 - 4 is too little
+  EXPECT_THAT(refusal(recording_), HasSubstr("does not fit this MRI")) << "in the other order";
+  EXPECT_EQ(answers_.asked, 6u);
+  EXPECT_THAT(refusal(recording_), HasSubstr("does not fit this MRI"))
+      << "clearly another: nothing else is tried";
+  EXPECT_EQ(answers_.asked, 8u);
+  EXPECT_FALSE(store_->alignment());
 }
 
 TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {

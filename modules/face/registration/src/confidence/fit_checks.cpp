@@ -193,6 +193,21 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
       "with");
 }
 
+/// Refuses a face that does not fit, or one that was measured so coarsely that other heads fit as well.
+[[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
+  const std::string measured = " (" + percent(evidence.closeness.bare_share) +
+                               " of it lies on the skin, by " + fixed(evidence.closeness.bare_mm, 1) + " mm)";
+  if (evidence.own_log_odds < 0)
+    throw NotThisPerson("not aligned: the face does not fit this MRI" + measured,
+                        "check that this is the patient's own MRI, and measure the face again",
+                        evidence.own_log_odds);
+  throw NotThisPerson(
+      "not aligned: the face does not fit this MRI, or was measured too coarsely to tell" + measured,
+      "check that this is the patient's own MRI; if it is, bring the cameras nearer, project dots, and keep "
+      "hair and hands off the face",
+      evidence.own_log_odds);
+}
+
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {
   throw CameraTurned(
       "not aligned: the face fits this MRI only if a camera has turned sideways since the calibration (by " +
@@ -230,10 +245,7 @@ void requireLikeness(const FitEvidence& evidence) {
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
   if (is_resized) refuseSize(evidence.fitting_scale);
-  if (!is_own)
-    refuse("the face does not fit this MRI (" + percent(closeness.bare_share) +
-               " of it lies on the skin, by " + fixed(closeness.bare_mm, 1) + " mm)",
-           "check that this is the patient's own MRI, and measure the face again");
+  if (!is_own) refuseAsAnother(evidence);
   if (evidence.mirror_log_odds < limits.least_unmirrored)
     refuse("the face cannot be distinguished from its mirror image",
            "check that the MRI's left and right are not swapped, and show more of the face to both cameras");

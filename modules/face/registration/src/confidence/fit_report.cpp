@@ -177,13 +177,15 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   if (start.right && !is_by_marker)
     evidence.scanner_rad =
         scannerTurn_rad(*start.right, result.camera_T_mri * Point<Mri>(scalp.noseTip_mm()));
+  evidence.turn = fit.posterior.turn;  // refused by the fit's own error, stated with the wider one
   if (evidence.scanner_rad > 0 && fit.posterior.turn)
     fit.posterior.turn = widened(*fit.posterior.turn, evidence.predicted_error_mm, evidence.scanner_rad);
-  result.right_turn = evidence.turn = fit.posterior.turn;
+  result.right_turn = fit.posterior.turn;
   evidence.scale = 1.0 + fit.posterior.scale;
   evidence.scale_sigma = fit.posterior.scale_sigma;
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
+  result.own_log_odds = evidence.own_log_odds;
   result.cautions = cautionsOf(evidence);
 
   std::vector<int> all(face.size());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/core/error.h"
 #include "facenav/core/task_monitor.h"
 #include "facenav/geometry/rigid_transform.h"
 #include "facenav/geometry/rotation.h"
@@ -86,6 +87,7 @@ struct AlignmentResult {
   /// Apparent motion of the head by one standard error of that turn: left increment in Camera (rotation rad
   /// about Camera's origin, mm). It is not part of `covariance`.
   Vector6d head_by_turn = Vector6d::Zero();
+  double own_log_odds = 0.0;          // log likelihood ratio of this person's scan to another's
   std::vector<std::string> cautions;  // for users: what a clinician must check before trusting the fit
 
   /// Uncertainty for cameras positioned as calibrated.
@@ -103,6 +105,15 @@ struct AlignmentResult {
                            double probability = 0.95) const;
   /// Shift (mm, Camera) of that coil relative to the head at the target, by one standard error of the turn.
   Eigen::Vector3d coilByTurn_mm(const Point<Mri>& target, const std::vector<Point<Mri>>& marker) const;
+};
+
+/// Thrown where shape and size of the face do not show that the scan is this person's. Other pictures may
+/// show it: they are other evidence about the same head.
+class NotThisPerson : public Error {
+ public:
+  NotThisPerson(const std::string& what, const std::string& remedy, double own_log_odds)
+      : Error(what, {}, remedy), own_log_odds(own_log_odds) {}
+  double own_log_odds;  // of this person's scan against another's
 };
 
 class Aligner {

@@ -78,12 +78,12 @@ struct FitLimits {
       Origin::fitted,
       "on surfaces of painted heads 02 04 06 08 12 14: own faces, children and rescans with 1 to 2 % scale "
       "error "
-      "6.7 and more, 30 pairs of strangers 3.9 at most; judged on heads 03 07 09 13 15 17-20, the virtual "
-      "patient, Colin27: see evidence.md"};
+      "6.7 and more, 30 pairs of strangers 3.9 at most; held out: heads 03 07 09 13 15 17-20, the virtual "
+      "patient, Colin27: own whole faces 60 of 60 above, strangers 0 of 110"};
   static constexpr Evidence kMasks{Origin::fitted,
                                    "on masked faces of the virtual room (5 heads, 3 rigs, 3 seeds): bare "
-                                   "0.3-1 of the face; it only decides "
-                                   "about a caution and about points on covers"};
+                                   "0.3-1 of the face; it only decides about a caution and about points on "
+                                   "covers; no other heads held out"};
   static constexpr Evidence kMirror{
       Origin::fitted,
       "on captures of the virtual room, the number not recorded: right heads +5 to +29 (+6.5 and more with "
