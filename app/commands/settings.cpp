@@ -1,5 +1,6 @@
 // facenav settings [MODULE]: the numbers that were fitted or chosen, with unit, range and origin;
-// facenav settings --why NAME: where one of them, or a constant of the code, comes from.
+// facenav settings --why NAME: where one of them, or a constant of the code, comes from;
+// facenav settings --gates: what refuses or withholds, on what evidence, and how often it is wrong.
 
 #include <algorithm>
 #include <cstdio>
@@ -88,7 +89,7 @@ void addSettings(CLI::App& app, Context& context) {
       app.add_subcommand("settings", "the numbers that were fitted or chosen, and where they come from");
   struct SettingsRequest {
     std::string module;
-    bool is_json = false;
+    bool is_json = false, is_gates = false;
     std::optional<std::string> why;
   };
   auto request = std::make_shared<SettingsRequest>();
@@ -97,7 +98,13 @@ void addSettings(CLI::App& app, Context& context) {
   verb->add_option("--why", request->why,
                    "where a setting or a constant of the code comes from, by a part of its name")
       ->excludes("MODULE");
+  verb->add_flag("--gates", request->is_gates,
+                 "what refuses, withholds or cautions, on what evidence, and how often it is wrong")
+      ->excludes("MODULE")
+      ->excludes("--why")
+      ->excludes("--json");
   verb->callback([&context, request] {
+    if (request->is_gates) return void(std::fputs(gatesTable(), stdout));
     if (request->why) return printWhy(app::settingsFor(context.settings), *request->why);
     const auto entries = entriesOf(app::settingsFor(context.settings), request->module);
     auto json = nlohmann::ordered_json::array();

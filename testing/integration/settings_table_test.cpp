@@ -2,7 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <fstream>
 #include <map>
+#include <regex>
+#include <set>
 
 namespace facenav::steps {
 namespace {
@@ -55,6 +59,25 @@ TEST(Settings, EveryOneCanBeSetToEitherEndOfItsRange) {
     EXPECT_NO_THROW(table.set(entry.key(), entry.setting.minimum));
     EXPECT_NO_THROW(table.set(entry.key(), entry.setting.maximum));
   }
+}
+
+/// The table of gates names settings that exist, and each row states its false alarms and its misses.
+TEST(Settings, EveryGateNamesItsSettingsAndItsErrors) {
+  std::set<std::string> names;
+  for (const SettingEntry& entry : all()) names.insert(entry.key());
+  std::ifstream page(std::string(FACENAV_SOURCE_DIR) + "/resources/doc/gates.md");
+  const std::regex setting("(registration|head_tracking|monitoring|stereo)\\.([a-z_]+)");
+  int gates = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| ", 0) != 0 || line.rfind("| gate |", 0) == 0) continue;
+    ++gates;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 7) << line;
+    EXPECT_EQ(line.find("|  |"), std::string::npos) << "an empty cell: " << line;
+    const std::string gate = line.substr(2, line.find(" | ", 2) - 2);
+    for (std::sregex_iterator it(gate.begin(), gate.end(), setting), end; it != end; ++it)
+      EXPECT_EQ(names.count(it->str()), 1u) << it->str() << " is no setting";
+  }
+  EXPECT_GT(gates, 20);
 }
 
 TEST(Settings, AFlagWinsOverAFileAndTheLaterFlagOverTheEarlier) {
