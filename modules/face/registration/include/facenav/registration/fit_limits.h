@@ -39,6 +39,9 @@ struct FitLimits {
     visitor(kMirror("least_unmirrored", -5, 20, "1", "least log odds against the mirror image"),
             self.least_unmirrored);
     visitor(kOdds("rival", 0, 20, "1", "least log odds against the best pose elsewhere"), self.rival);
+    visitor(kExtent("least_extent_mm", 10, 200, "mm",
+                    "least extent of the measured face, four sigma, across or up"),
+            self.least_extent_mm);
     visitSize(self, visitor);
   }
 
@@ -98,8 +101,8 @@ struct FitLimits {
   static constexpr Evidence kExtent{
       Origin::fitted,
       "strips of 25 to 40 mm of a face, painted heads 02 06 08 12 14 15 18: the pose holds (50 of 60 "
-      "aligned, all "
-      "inside the bound), but 5 of 168 strips of strangers fit a forehead as closely as this person's"};
+      "aligned, all inside the bound), but 5 of 168 strips of strangers fit a forehead as closely as this "
+      "person's; no other heads held out"};
   static constexpr Evidence kGoal{
       Origin::chosen,
       "2 mm: the largest error that navigation should have; 3 mm: an error beyond 2 mm is then likelier than "
