@@ -1,6 +1,7 @@
 #include "facenav/treat/track_recording.h"
 
 #include <algorithm>
+#include <map>
 
 #include "facenav/core/log.h"
 #include "facenav/session/navigator.h"
@@ -35,11 +36,23 @@ void addRows(const session::NavigationState& state, bool is_aligned, bool has_co
 }
 
 Error nothingFound(const StartedTracking& started, std::int64_t frames, const fs::path& recording) {
-  const std::string words =
-      "neither the face nor a marker was found in any of " + std::to_string(frames) + " frames";
-  if (started.why_no_head.empty())
-    return Error(words, recording.string(), "check that both cameras see them, lit and in focus");
-  return Error(words + ": " + started.why_no_head, recording.string());
+  return Error("neither the face nor a marker was found in any of " + std::to_string(frames) +
+                   " frames: " + started.why_no_head,
+               recording.string());
+}
+
+/// Says why a face that was found is tracked in no frame: "a face was found, but .. (57 x not_found)".
+std::string refusedThroughout(const std::vector<casefile::PoseRow>& poses) {
+  std::map<std::string, int> frames;
+  for (const auto& row : poses) {
+    if (row.object != casefile::PoseObject::head || row.pose) continue;
+    ++frames[row.detail.empty() ? toString(row.reason.value_or(LostReason::no_face)) : row.detail];
+  }
+  std::string words;
+  for (const auto& [word, count] : frames)
+    words += (words.empty() ? "" : ", ") + std::to_string(count) + " x " + word;
+  return "a face was found, but no frame gave a pose that can be trusted (" + words +
+         "); check light, focus and the calibration, or record the face larger and more from the front";
 }
 
 double quantile(std::vector<double> values, double fraction) {
@@ -79,8 +92,11 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
   }
   if (request.case_folder && request.keeps_key_frames)
     casefile::addKeyFrames(*request.case_folder, navigator.learntKeyFrames());
-  if (outcome.head_tracked == 0 && outcome.coil_tracked == 0 && outcome.rig_fault_frames == 0)
+  const bool has_face = started.why_no_head.empty();
+  if (!has_face && outcome.coil_tracked == 0 && outcome.rig_fault_frames == 0)
     throw nothingFound(started, outcome.frames, request.recording);
+  if (has_face && outcome.head_tracked == 0 && outcome.rig_fault_frames == 0)
+    started.why_no_head = refusedThroughout(outcome.poses);
   if (!started.why_no_head.empty()) logWarning("the head is not tracked: " + started.why_no_head);
   if (outcome.rig_fault_frames > 0)
     logWarning(outcome.rig_fault->words() + " (in " + std::to_string(outcome.rig_fault_frames) + " of " +
