@@ -211,6 +211,9 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
+  } catch (const registration::NotEnoughFace& error) {
+    if (!error_) error_ = error;
+    now.refusal = error.what();
   } catch (const registration::NotThisPerson& error) {
     now.refusal = error.what();
     if (!best_ && error.own_log_odds < -leastOwn()) throw Error(inWordsOf(store, now.refusal));

@@ -100,7 +100,7 @@ TEST(SurfaceAligner, DropsPointsBeyondTheScansEndAndOnHair) {
 TEST(SurfaceAligner, RefusesAnotherPersonsScan) {
   const auto cloud = measure(ModelHead(1), facing(8, 4, 0), {});
   EXPECT_THAT([&] { align(ModelHead(2).skin(), cloud); },
-              ThrowsMessage<Error>(HasSubstr("not aligned: the face does not fit this MRI")));
+              ThrowsMessage<NotThisPerson>(HasSubstr("not aligned: the face does not fit this MRI")));
 }
 
 SkinModel mirrored(SkinModel skin) {

@@ -25,9 +25,10 @@ namespace fs = std::filesystem;
 /// Standard errors that the fake aligner returns in turn; a negative one refuses: a mirrored head.
 struct Answers {
   std::vector<double> sigmas_mm;
-  std::vector<double> own_log_odds = {};  // in turn, of this person's scan; too little refuses. Empty: 20
-  double apart_mm = 0;                    // difference from answer to answer
-  bool has_turn = true;                   // gives an estimate of the camera's rotation, which is zero
+  std::vector<double> own_log_odds =
+      {};                // in turn, of this person's scan; below 6 refused, 0: too little face. Empty: 20
+  double apart_mm = 0;   // difference from answer to answer
+  bool has_turn = true;  // gives an estimate of the camera's rotation, which is zero
   std::size_t asked = 0;
   registration::AlignmentStart start = {};  // prior knowledge at the last alignment
 };
@@ -43,6 +44,7 @@ class FakeAligner : public registration::Aligner {
     if (sigma_mm < 0) throw Error("not aligned: the MRI is mirrored");
     registration::AlignmentResult result;
     result.own_log_odds = answers_.own_log_odds.empty() ? 20.0 : answers_.own_log_odds.at(answers_.asked - 1);
+    if (result.own_log_odds == 0) throw registration::NotEnoughFace("not aligned: too little of the face");
     if (result.own_log_odds < 6)
       throw registration::NotThisPerson("not aligned: the face does not fit this MRI", "",
                                         result.own_log_odds);
@@ -238,6 +240,16 @@ TEST_F(AlignRecording, WhatOnePairCannotShowAnotherShows) {
   const auto aligned = alignRecording(methods_, *store_, recording_, {"fake"}, monitor);
   EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain);
   EXPECT_THAT(aligned.tries.front().refusal, HasSubstr("does not fit"));
+}
+
+TEST_F(AlignRecording, WhereOnePairShowsTooLittleAnotherIsTried) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm = {0.5, 0.5, 0.5};
+  answers_.own_log_odds = {0, 0, 30};
+  const auto aligned = alignRecording(methods_, *store_, recording_, {"fake"}, monitor);
+  EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain);
 }
 
 TEST_F(AlignRecording, WhatOnePairSaysAgainstThePersonAnotherMustOutweigh) {

@@ -193,6 +193,10 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
       "with");
 }
 
+[[noreturn]] void refuseAsTooLittle(const std::string& why, const std::string& remedy) {
+  throw NotEnoughFace("not aligned: " + why, {}, remedy);
+}
+
 /// Refuses a face that does not fit, or one that was measured so coarsely that other heads fit as well.
 [[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
   const std::string measured = " (" + percent(evidence.closeness.bare_share) +
@@ -238,7 +242,8 @@ void requireLikeness(const FitEvidence& evidence) {
   const FitLimits& limits = settingsOf<FitLimits>();
   const Closeness& closeness = evidence.closeness;
   if (closeness.face_points < 300 || closeness.extent_mm < limits.least_extent_mm)
-    refuse("too little of the face was measured", "show the whole face to both cameras, with the dots on it");
+    refuseAsTooLittle("too little of the face was measured",
+                      "show the whole face to both cameras, with the dots on it");
   const bool is_own = evidence.own_log_odds > limits.least_own;
   const bool is_resized = is_own && isRareSize(evidence.fitting_scale, 0.0);
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_resized)
@@ -247,10 +252,12 @@ void requireLikeness(const FitEvidence& evidence) {
   if (is_resized) refuseSize(evidence.fitting_scale);
   if (!is_own) refuseAsAnother(evidence);
   if (evidence.mirror_log_odds < limits.least_unmirrored)
-    refuse("the face cannot be distinguished from its mirror image",
-           "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
+    refuseAsTooLittle(
+        "the face cannot be distinguished from its mirror image",
+        "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
   if (evidence.rival_log_odds < limits.rival)
-    refuse("the pose is ambiguous: the face fits in two places", "show more of the face to both cameras");
+    refuseAsTooLittle("the pose is ambiguous: the face fits in two places",
+                      "show more of the face to both cameras");
 }
 
 void requireTrust(const FitEvidence& evidence) {
@@ -262,9 +269,9 @@ void requireTrust(const FitEvidence& evidence) {
   if (evidence.scale_sigma > 0 && isRareSize(evidence.scale, evidence.scale_sigma))
     refuseSize(evidence.scale);
   if (!(evidence.predicted_error_mm < limits.largest_error_mm))
-    refuse("too little of the face was measured to fix the pose (predicted error " +
-               fixed(evidence.predicted_error_mm, 1) + " mm)",
-           "show more of the face to both cameras");
+    refuseAsTooLittle("too little of the face was measured to fix the pose (predicted error " +
+                          fixed(evidence.predicted_error_mm, 1) + " mm)",
+                      "show more of the face to both cameras");
 }
 
 bool isPartlyCovered(const FitEvidence& evidence) {

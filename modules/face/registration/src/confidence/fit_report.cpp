@@ -27,8 +27,8 @@ std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter
                                [](const SkinPatch& p) { return p.covered < kLeastCovered; }),
                 patches.end());
   if (patches.size() < 20)
-    throw Error("not aligned: too little of the face was measured", {},
-                "show the whole face to both cameras, with the dots on it");
+    throw NotEnoughFace("not aligned: too little of the face was measured", {},
+                        "show the whole face to both cameras, with the dots on it");
   return patches;
 }
 
@@ -230,8 +230,9 @@ void requireMaterial(const ScalpField& scalp, const PointCloud<Camera>& face) {
                 "use a scan with the face in it (not defaced)");
   const std::size_t finite = finitePoints(face).size();
   if (finite < 500)
-    throw Error("not aligned: too little of the face was measured (" + std::to_string(finite) + " points)",
-                {}, "show the whole face to both cameras, with the dots on it");
+    throw NotEnoughFace(
+        "not aligned: too little of the face was measured (" + std::to_string(finite) + " points)", {},
+        "show the whole face to both cameras, with the dots on it");
 }
 
 }  // namespace facenav::registration

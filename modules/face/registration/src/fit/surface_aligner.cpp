@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <future>
 #include <optional>
 
@@ -86,7 +87,7 @@ class SurfaceAligner : public Aligner {
     }
     // Hints may mislead and the first search is quick, so a refusal leads to a wider search. The error of the
     // first search is thrown: it refers to the best pose, while wider searches end in worse poses.
-    std::optional<Error> reason;
+    std::exception_ptr reason;
     for (const auto& [width, most] :
          {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})
       try {
@@ -95,10 +96,10 @@ class SurfaceAligner : public Aligner {
         throw;
       } catch (const CameraTurned&) {
         throw;
-      } catch (const Error& refusal) {
-        if (!reason) reason = refusal;
+      } catch (const Error&) {
+        if (!reason) reason = std::current_exception();
       }
-    throw *reason;
+    std::rethrow_exception(reason);
   }
 };
 

@@ -194,7 +194,8 @@ std::vector<Candidate> findStarts(const ScalpField& scalp, const PointCloud<Came
   refine(candidates, denser, {{8, 5, 5, false}, {5, 3, 5, false}}, 4.0);
   keepDistinct(candidates, pivot, most);
   if (candidates.empty())
-    throw Error("not aligned: nothing like a face was measured", {}, "show the whole face to both cameras");
+    throw NotEnoughFace("not aligned: nothing like a face was measured", {},
+                        "show the whole face to both cameras");
   return candidates;
 }
 

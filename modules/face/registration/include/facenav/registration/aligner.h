@@ -107,6 +107,13 @@ struct AlignmentResult {
   Eigen::Vector3d coilByTurn_mm(const Point<Mri>& target, const std::vector<Point<Mri>>& marker) const;
 };
 
+/// Thrown where too little of the face is measured for a pose, or for one pose only. Other pictures may show
+/// more.
+class NotEnoughFace : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Thrown where shape and size of the face do not show that the scan is this person's. Other pictures may
 /// show it: they are other evidence about the same head.
 class NotThisPerson : public Error {
