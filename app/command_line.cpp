@@ -8,11 +8,14 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/standard_output.h"
 #include "help_format.h"
 #include "settings_flags.h"
 #include "software_commit.h"
 #include "terminal_progress.h"
+#include "typed_values.h"
 #include "verb_words.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -43,6 +46,9 @@ int wrongUsage(const std::string& what, const std::string& verb) {
 }
 
 void putSettingsInForce(const Context& context) {
+  SettingsRequest typed = context.settings;
+  typed.file.reset();
+  requireUnderstood([&] { settingsFor(typed); });
   useSettings(context.settings);
   if (context.is_quiet) return;
   for (const std::string& setting : changedSettingsInWords())
@@ -62,6 +68,7 @@ void addAll(const Program& program, CLI::App& cli, Context& context) {
     addSettingsFlagsBelow(*cli.get_subcommand(verb), context.settings);
   cli.parse_complete_callback([&context] { putSettingsInForce(context); });  // before the verb runs
   for (CLI::App* verb : cli.get_subcommands({})) verb->add_flag("-q,--quiet", "no progress, no notes");
+  checkTypedValues(cli);
 }
 
 int run(const Program& program, int argc, char** argv) {
@@ -74,17 +81,21 @@ int run(const Program& program, int argc, char** argv) {
     if (g_is_interrupted) monitor.cancel();
   });
   setLogQuiet(is_quiet);
+  if (asksForStandardOutput({argv + 1, argv + argc})) keepStandardOutputForFiles();
   Context context{makeRegistrations(), monitor, programPath(), is_quiet};
   if (program.add_peers) program.add_peers(context.registrations);
   CLI::App cli("FaceNav: markerless neuronavigation for rTMS", "facenav");
   addAll(program, cli, context);
   if (const auto wrong = wrongVerb(cli, {argv + 1, argv + argc}))
     return wrongUsage(wrong->in_words, wrong->below);
+  const std::string verb = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
-    return wrongUsage(error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : "");
+    return wrongUsage(error.what(), verb);
+  } catch (const WrongUsage& error) {
+    return wrongUsage(error.what(), verb);
   }
   if (!cli.get_subcommands().empty()) return 0;
   std::printf("%s", cli.help().c_str());

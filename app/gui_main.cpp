@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QBuffer>
 #include <QFile>
 #include <QGuiApplication>
 #include <QScreen>
@@ -13,8 +14,10 @@
 #include <cstdio>
 #include <memory>
 
+#include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "home/home_window.h"
@@ -47,10 +50,18 @@ ui::PrepareStep stepNamed(const std::string& name) {
   return name == "sign-off" ? ui::PrepareStep::sign_off : ui::PrepareStep::worklist;
 }
 
-void saveScreenshot(ui::MainWindow& window, const std::string& path) {
-  const bool is_saved = window.grab().save(QString::fromStdString(path));
-  if (!is_saved) std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n", path.c_str());
-  QApplication::exit(is_saved ? 0 : 1);
+/// Saves a picture of the window for its owner alone, since it may show a patient, and quits.
+void saveScreenshot(QWidget& window, const std::string& path) {
+  QBuffer picture;
+  picture.open(QIODevice::WriteOnly);
+  try {
+    window.grab().save(&picture, "PNG");
+    writeWholeFile(path, picture.data().toStdString());
+    QApplication::exit(0);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n", error.what());
+    QApplication::exit(1);
+  }
 }
 
 /// Starts the wait when the window shows what the command line asked for.
@@ -115,9 +126,8 @@ int runHome(QApplication& application, const Arguments& arguments) {
   window.resize(std::min(1366, room.width()), std::min(768, room.height()));
   window.show();
   if (!arguments.screenshot.empty())
-    QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
-      QApplication::exit(window.grab().save(QString::fromStdString(arguments.screenshot)) ? 0 : 1);
-    });
+    QTimer::singleShot(int(arguments.after_s * 1000), &window,
+                       [&window, arguments] { saveScreenshot(window, arguments.screenshot); });
   return application.exec();
 }
 
@@ -129,9 +139,8 @@ int runSetUp(QApplication& application, const Arguments& arguments) {
   window.show();
   if (!arguments.rig.empty()) window.openKept(QString::fromStdString(arguments.rig));
   if (!arguments.screenshot.empty())
-    QTimer::singleShot(int(arguments.after_s * 1000), &window, [&window, arguments] {
-      QApplication::exit(window.grab().save(QString::fromStdString(arguments.screenshot)) ? 0 : 1);
-    });
+    QTimer::singleShot(int(arguments.after_s * 1000), &window,
+                       [&window, arguments] { saveScreenshot(window, arguments.screenshot); });
   return application.exec();
 }
 

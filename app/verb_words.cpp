@@ -11,12 +11,8 @@ std::vector<std::string> namesOf(const std::vector<const CLI::App*>& verbs) {
   return names;
 }
 
-std::vector<const CLI::App*> verbsOf(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 const CLI::App* find(const CLI::App& app, const std::string& word) {
-  for (const CLI::App* verb : verbsOf(app))
+  for (const CLI::App* verb : verbsBelow(app))
     if (verb->check_name(word)) return verb;
   return nullptr;
 }
@@ -25,16 +21,20 @@ const CLI::App* find(const CLI::App& app, const std::string& word) {
 bool takesOnlyVerbs(const CLI::App& app) {
   const auto positionals =
       app.get_options([](const CLI::Option* option) { return option->get_positional(); });
-  return !verbsOf(app).empty() && positionals.empty();
+  return !verbsBelow(app).empty() && positionals.empty();
 }
 
 std::string inWords(const std::string& before, const std::string& word, const CLI::App& app) {
-  const auto near = nearName(word, namesOf(verbsOf(app)));
+  const auto near = nearName(word, namesOf(verbsBelow(app)));
   return (before.empty() ? "no verb '" : before + " has no verb '") + word + "'" +
          (near ? "; did you mean '" + *near + "'?" : "");
 }
 
 }  // namespace
+
+std::vector<const CLI::App*> verbsBelow(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
 
 NamedVerb namedVerb(const CLI::App& program, const std::vector<std::string>& words) {
   NamedVerb named{&program, program.get_name()};
@@ -49,10 +49,15 @@ NamedVerb namedVerb(const CLI::App& program, const std::vector<std::string>& wor
 std::optional<WrongVerb> wrongVerb(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* app = &program;
   std::string before;
+  bool is_help = false;
   for (const std::string& word : words) {
     const bool is_option = !word.empty() && word.front() == '-';
-    if (app == &program && is_option) continue;       // options of the program itself take no value
-    if (app == &program && word == "help") continue;  // words after it name a verb
+    if (is_help && is_option && word != "--all") return std::nullopt;  // its value is no verb
+    if (app == &program && is_option) continue;  // options of the program itself take no value
+    if (app == &program && word == "help") {     // words after it name a verb
+      is_help = true;
+      continue;
+    }
     if (is_option || !takesOnlyVerbs(*app)) return std::nullopt;
     const CLI::App* next = find(*app, word);
     if (!next) return WrongVerb{inWords(before, word, *app), before};

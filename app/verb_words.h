@@ -2,8 +2,14 @@
 // Finds the verb that a command line names, and the error if a word is no verb.
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace facenav::app {
+
+/// The verbs directly below the program or a verb.
+std::vector<const CLI::App*> verbsBelow(const CLI::App& app);
 
 /// Verb named by the words ("rig", "new"), and the words up to it.
 struct NamedVerb {

@@ -20,12 +20,17 @@ fs::path folderOf(const BidsImage& image, const fs::path& output) {
   return folder;
 }
 
+fs::path logOf(const BidsImage& image, const fs::path& output) {
+  return output / "logs" / (image.prefix() + ".log");
+}
+
 /// Runs `facenav prepare` and returns its exit status, or -1 if it was killed. Its messages go to `log`.
 int runPrepare(const fs::path& facenav, const fs::path& t1, const fs::path& case_folder,
                const fs::path& log) {
   ChildOptions options;
   options.output = ChildOptions::Output::file;
   options.output_file = log;
+  options.ends_with_parent = true;  // a killed batch leaves no job that a second run would meet
   return ChildProcess::start(
              {facenav.string(), "prepare", t1.string(), "-o", case_folder.string(), "--quiet"}, options)
       .wait()
@@ -72,6 +77,7 @@ void linkDerivatives(const BidsImage& image, const fs::path& folder) {
 std::string lineOf(const BidsResult& r) {
   const char* state = r.state == BidsState::prepared        ? "prepared"
                       : r.state == BidsState::there_already ? "there"
+                      : r.state == BidsState::not_run       ? "not run"
                                                             : "FAILED";
   char line[160];
   std::snprintf(line, sizeof line, "%-24s %-9s %7.1f  %8s  %8zu  ", r.image.prefix().c_str(), state,
@@ -87,13 +93,15 @@ BidsResult prepareImage(const BidsImage& image, const fs::path& output, const fs
   const auto start = std::chrono::steady_clock::now();
   try {
     const fs::path folder = folderOf(image, output), case_folder = folder / "case";
-    const fs::path log = output / "logs" / (image.prefix() + ".log");
+    const fs::path log = logOf(image, output);
     fs::create_directories(folder);
     fs::create_directories(log.parent_path());
     if (isThere(case_folder)) {
       result.state = BidsState::there_already;
     } else if (runPrepare(facenav, image.t1, case_folder, log) == 0) {
       result.state = BidsState::prepared;
+    } else if (isThere(case_folder)) {  // another run finished it meanwhile
+      result.state = BidsState::there_already;
     } else {
       result.problem = lastLine(log);
     }
@@ -109,15 +117,36 @@ BidsResult prepareImage(const BidsImage& image, const fs::path& output, const fs
   return result;
 }
 
+BidsResult foundImage(const BidsImage& image, const fs::path& output) {
+  BidsResult result;
+  result.image = image;
+  const fs::path case_folder = folderOf(image, output) / "case", log = logOf(image, output);
+  try {
+    if (isThere(case_folder)) {
+      result.state = BidsState::there_already;
+      describe(case_folder, result);
+    } else if (fs::exists(log)) {
+      result.problem = lastLine(log);
+    } else {
+      result.state = BidsState::not_run;
+    }
+  } catch (const std::exception& error) {
+    result.state = BidsState::failed;
+    result.problem = error.what();
+  }
+  return result;
+}
+
 std::string toTable(const std::vector<BidsResult>& results) {
   std::string table = "image                    state           s  brain ml  findings  problem\n";
-  std::size_t count[3] = {0, 0, 0};
+  std::size_t count[4] = {0, 0, 0, 0};
   for (const auto& result : results) {
     table += lineOf(result);
     ++count[std::size_t(result.state)];
   }
   return table + std::to_string(count[0]) + " prepared, " + std::to_string(count[1]) + " there already, " +
-         std::to_string(count[2]) + " failed\n";
+         std::to_string(count[2]) + " failed" +
+         (count[3] == 0 ? "" : ", " + std::to_string(count[3]) + " not run") + "\n";
 }
 
 }  // namespace facenav::app

@@ -12,7 +12,7 @@
 
 namespace facenav::app {
 
-enum class BidsState { prepared, there_already, failed };
+enum class BidsState { prepared, there_already, failed, not_run };
 
 struct BidsResult {
   BidsImage image;
@@ -28,6 +28,9 @@ struct BidsResult {
 /// throws for a single image.
 BidsResult prepareImage(const BidsImage& image, const std::filesystem::path& output,
                         const std::filesystem::path& facenav);
+
+/// Says what is there of one image, and runs nothing: its case, how its last run failed, or that none ran.
+BidsResult foundImage(const BidsImage& image, const std::filesystem::path& output);
 
 /// The final table: one line per T1, then the totals.
 std::string toTable(const std::vector<BidsResult>& results);

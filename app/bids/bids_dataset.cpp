@@ -90,8 +90,8 @@ void writeDerivativesDescription(const fs::path& output, const fs::path& dataset
   json["DatasetType"] = "derivative";
   json["GeneratedBy"] = {{{"Name", "FaceNav"}, {"Version", software_version}}};
   json["SourceDatasets"] = {{{"URL", "file://" + fs::absolute(dataset).string()}}};
-  writeWholeFile(path, json.dump(1) + "\n");
-  writeWholeFile(output / ".bidsignore", "*/case/\n*/*/case/\nlogs/\n");
+  writeWholeFile(path, json.dump(1) + "\n", FileAccess::by_umask);
+  writeWholeFile(output / ".bidsignore", "*/case/\n*/*/case/\nlogs/\n", FileAccess::by_umask);
 }
 
 }  // namespace facenav::app

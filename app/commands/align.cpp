@@ -12,6 +12,9 @@
 #include "facenav/pictures/titled_row.h"
 #include "facenav/scene/png.h"
 #include "facenav/setup/record_live.h"
+#include "json_output.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -22,6 +25,7 @@ struct AlignRequest {
   std::vector<std::filesystem::path> left, right;  // with dots, without
   std::string aligner, matcher = stereo::kDefaultMatcher, from;
   LiveChoice live;  // only its rig
+  bool is_json = false;
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -31,13 +35,17 @@ cv::Mat readGrey(const std::filesystem::path& path) {
   return image;
 }
 
+void requirePictures(const AlignRequest& request) {
+  if (request.recording || !request.live.rig.empty()) return;
+  if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
+      request.left.size() > 2)
+    throw WrongUsage("give a RECORDING, or --rig with as many --left as --right images",
+                     "first the image with dots, then the one without");
+}
+
 /// Reads capture pair and rig from single files: the pair with dots, then the one without; a single pair is
 /// used as both.
 capture::Recording fromFiles(const AlignRequest& request) {
-  if (!request.rig || request.left.empty() || request.left.size() != request.right.size() ||
-      request.left.size() > 2)
-    throw Error("give a RECORDING, or --rig with as many --left as --right images", {},
-                "first the image with dots, then the one without");
   capture::Recording recording;
   recording.rig = cameras::readRig(*request.rig);
   capture::CapturePair pair;
@@ -58,8 +66,7 @@ capture::Recording fromFiles(const AlignRequest& request) {
 /// Takes pictures now: one pair with the coil's marker beside the face, or two with the projector on and off.
 capture::Recording fromCameras(const AlignRequest& request, const Context& context) {
   if (request.from == "film")
-    throw Error("a film is not aligned from live cameras", "--using film",
-                "record it first: facenav record --rig NAME");
+    throw WrongUsage("a film is not aligned from live cameras", "record it first: facenav record --rig NAME");
   const auto source = openVerifiedRig(request.live, context);
   requireUnmoved(*source, request.live.rig);
   capture::Recording recording;
@@ -95,7 +102,24 @@ void writePicture(const std::filesystem::path& path, const casefile::CaseStore& 
                   path);
 }
 
+void printJsonOf(const std::string& words, const casefile::StoredAlignment& stored) {
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (const auto& [target, error_mm] : stored.predicted_tre_mm)
+    targets.push_back({{"name", target},
+                       {"predicted_mm", error_mm},
+                       {"predicted_95_mm", stored.predicted_tre_p95_mm.at(target)}});
+  printJson({{"words", words},
+             {"from", stored.from.value_or("")},
+             {"rms_mm", stored.rms_mm},
+             {"max_mm", stored.max_mm},
+             {"points", stored.points},
+             {"inlier_fraction", stored.inlier_fraction},
+             {"targets", targets},
+             {"cautions", stored.cautions}});
+}
+
 void runAlign(Context& context, const AlignRequest& request) {
+  requirePictures(request);
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto recording = openWhatIsAligned(request, context);
   steps::AlignOrder order{request.aligner};
@@ -109,6 +133,7 @@ void runAlign(Context& context, const AlignRequest& request) {
   const auto stored = outcome.stored();
   if (request.output) casefile::writeAlignment(stored, *request.output);
   if (request.picture) writePicture(*request.picture, store, recording.rig, outcome);
+  if (request.is_json) return printJsonOf(inWords(aligned), stored);
   if (context.is_quiet) return;
   std::printf("%s\n", inWords(aligned).c_str());
   if (stored.matcher) std::printf("face measured by the matcher %s\n", stored.matcher->c_str());
@@ -143,6 +168,7 @@ void addAlign(CLI::App& app, Context& context) {
   verb->add_option("--picture", request->picture,
                    "PNG: the MRI's skin (contour, points, landmarks) over both pictures, to judge by eye");
   verb->add_option("--aligner", request->aligner, "method: " + steps::namesOf(context.registrations.aligners))
+      ->check(namedIn(context.registrations.aligners))
       ->capture_default_str();
   verb->add_option(
           "--using", request->from,
@@ -152,7 +178,9 @@ void addAlign(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"dots", "plain", "film"}));
   verb->add_option("--matcher", request->matcher,
                    "measures a face with dots by: " + stereo::denseMatcherList())
+      ->check(understoodBy([](const std::string& name) { stereo::makeDenseMatcher(name); }))
       ->capture_default_str();
+  verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request] { runAlign(context, *request); });
 }
 

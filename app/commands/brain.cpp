@@ -1,14 +1,14 @@
 // facenav brain CASE: prints the state of the case's brain mask, or corrects it with the same edits as the
 // window.
 
-#include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "commands/commands.h"
 #include "facenav/casefile/edited_brain.h"
-#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/prepare/correct_brain.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -19,19 +19,14 @@ struct BrainRequest {
   std::filesystem::path case_folder;
   steps::BrainEdits edits;
   std::vector<std::string> added, removed, grown;  // as typed
+  bool is_json = false;
 };
 
-/// Reads `count` numbers from "-37,-21,58.5". Throws Error that names the expected form.
+/// Reads `count` numbers from "-37,-21,58.5". Throws WrongUsage that names the expected form.
 std::vector<double> numbersOf(const std::string& typed, std::size_t count, const std::string& form) {
-  std::vector<double> numbers;
-  std::istringstream text(typed);
-  text.imbue(std::locale::classic());
-  for (double number; text >> number && std::isfinite(number); text.ignore()) {
-    numbers.push_back(number);
-    if (text.peek() != ',') break;
-  }
-  if (numbers.size() == count && text.eof()) return numbers;
-  throw Error("'" + typed + "' is not " + form, {}, "give numbers in mm with commas between them");
+  const auto numbers = numbersIn(typed);
+  if (numbers.size() == count) return numbers;
+  throw WrongUsage("'" + typed + "' is not " + form, "give numbers in mm with commas between them");
 }
 
 Point<Mri> placeOf(const std::vector<double>& p) { return Point<Mri>(Eigen::Vector3d(p[0], p[1], p[2])); }
@@ -41,7 +36,8 @@ std::vector<editing::Ball> ballsOf(const std::vector<std::string>& typed) {
   for (const auto& words : typed) {
     const auto numbers = numbersOf(words, 4, "R,A,S,RADIUS");
     if (!(numbers[3] > 0 && numbers[3] <= kMostRadius_mm))
-      throw Error("the sphere's radius must lie between 0 and 40 mm", words, "give R,A,S,RADIUS");
+      throw WrongUsage("the sphere's radius must lie between 0 and 40 mm, not as in " + words,
+                       "give R,A,S,RADIUS");
     balls.push_back({placeOf(numbers), numbers[3]});
   }
   return balls;
@@ -52,7 +48,15 @@ bool hasEdits(const steps::BrainEdits& edits) {
          !edits.grown.empty() || edits.fills_holes || edits.smooths;
 }
 
-void printState(const casefile::CaseStore& store) {
+nlohmann::ordered_json stateJson(const casefile::CaseStore& store) {
+  const auto mask = store.brainMask();
+  return {{"brain_ml", mask ? nlohmann::ordered_json(mask->volume_ml()) : nlohmann::ordered_json()},
+          {"corrected_by_hand", casefile::hasEditedBrainMask(store)},
+          {"has_draft", casefile::brainDraft(store).has_value()}};
+}
+
+void printState(const casefile::CaseStore& store, bool is_json) {
+  if (is_json) return printJson(stateJson(store));
   const auto mask = store.brainMask();
   if (!mask) return void(std::printf("no brain mask: the case holds the scalp alone\n"));
   std::printf("brain: %.0f ml, %s\n", mask->volume_ml(),
@@ -60,7 +64,13 @@ void printState(const casefile::CaseStore& store) {
   if (casefile::brainDraft(store)) std::printf("an unfinished correction is kept (--discard removes it)\n");
 }
 
-void print(const steps::CorrectedBrain& result) {
+void print(const steps::CorrectedBrain& result, bool is_json) {
+  if (is_json)
+    return printJson({{"brain_ml", result.after_ml},
+                      {"before_ml", result.before_ml},
+                      {"added_voxels", result.added_voxels},
+                      {"removed_voxels", result.removed_voxels},
+                      {"had_draft", result.had_draft}});
   if (result.had_draft) std::printf("went on from the unfinished correction\n");
   if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
   std::printf(
@@ -76,11 +86,11 @@ void runBrain(Context& context, BrainRequest request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
   if (hasEdits(request.edits)) {
     const auto result = steps::correctBrain(store, request.edits, context.monitor);
-    if (!context.is_quiet) print(result);
+    if (request.is_json || !context.is_quiet) print(result, request.is_json);
     return;
   }
   if (request.edits.discards_draft) casefile::removeBrainDraft(store);
-  if (!context.is_quiet) printState(store);
+  if (request.is_json || !context.is_quiet) printState(store, request.is_json);
 }
 
 }  // namespace
@@ -105,6 +115,7 @@ void addBrain(CLI::App& app, Context& context) {
       ->allow_extra_args(false);
   verb->add_flag("--fill-holes", request->edits.fills_holes, "holes inside the mask become brain");
   verb->add_flag("--smooth", request->edits.smooths, "take spikes off and fill notches (1.5 mm)");
+  verb->add_flag("--json", request->is_json, "as JSON");
   verb->footer("Edits are done in the order of the list above.");
   verb->callback([&context, request] { runBrain(context, *request); });
 }

@@ -12,6 +12,7 @@
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
+#include "json_output.h"
 
 namespace facenav::app {
 namespace {
@@ -23,6 +24,7 @@ struct Arguments {
   std::string dictionary = cameras::Board{}.dictionary;
   std::vector<std::string> left, right;
   std::string output = "stereo.yml";
+  bool is_json = false;
 };
 
 std::string utcNow() {
@@ -71,6 +73,13 @@ void run(const Arguments& arguments, Context& context) {
   std::snprintf(board_text, sizeof board_text, "%s, %g mm", arguments.board.c_str(), board.square_mm);
   cameras::writeRig(result.rig, arguments.output, {board_text, result.usedViews(), utcNow(), result.at_head});
   for (const auto& warning : result.warnings) logWarning(warning);
+  if (arguments.is_json)
+    return printJson({{"rms_px", result.rms_px},
+                      {"held_out_rms_px", result.held_out_rms_px},
+                      {"used_views", result.usedViews()},
+                      {"views", result.views.size()},
+                      {"warnings", result.warnings},
+                      {"output", arguments.output}});
   if (!context.is_quiet) {
     printViews(result);
     printRig(result);
@@ -96,6 +105,7 @@ void addCalibrate(CLI::App& app, Context& context) {
       ->required();
   verb->add_option("--right", arguments->right, "right images, in the same way")->required();
   verb->add_option("-o,--output", arguments->output, "where the rig is written")->capture_default_str();
+  verb->add_flag("--json", arguments->is_json, "the result as JSON");
   verb->callback([arguments, &context] { run(*arguments, context); });
 }
 

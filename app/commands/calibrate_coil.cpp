@@ -7,6 +7,8 @@
 #include "facenav/capture/recording.h"
 #include "facenav/coil_tracking/coil_calibration.h"
 #include "facenav/core/utc_time.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 struct CalibrateCoilRequest {
   std::filesystem::path recording, jig, centre, handle, side, coil, output, library;
   std::string coil_words;
+  bool is_json = false;
 };
 
 using MarkerPoses = std::vector<Tracked<coil_tracking::CoilPose>>;
@@ -64,13 +67,20 @@ void run(Context& context, CalibrateCoilRequest request) {
   const bool has_pivots = !request.centre.empty() && !request.handle.empty() && !request.side.empty();
   const bool has_jig = !request.jig.empty() && !request.recording.empty();
   if (has_jig == has_pivots)
-    throw Error("give a RECORDING with --jig, or --centre, --handle and --side", {}, "see --help");
+    throw WrongUsage("give a RECORDING with --jig, or --centre, --handle and --side");
   auto result = has_jig ? fromJig(context, request, coil)
                         : coil_tracking::calibrateWithPivots(pivot(context, request.centre, coil),
                                                              pivot(context, request.handle, coil),
                                                              pivot(context, request.side, coil));
   result.utc = isoUtc(std::chrono::system_clock::now());
   coil_tracking::writeCalibratedCoil(coil, result, request.output, request.coil);
+  if (request.is_json)
+    return printJson({{"output", request.output.string()},
+                      {"used", result.used},
+                      {"frames", result.frames},
+                      {"rms_mm", result.rms_mm},
+                      {"sigma_mm", result.sigma_mm},
+                      {"sigma_deg", result.sigma_deg}});
   if (context.is_quiet) return;
   std::printf("%s: %d of %d frames, residual rms %.2f mm; standard error %.2f mm, %.2f deg\n",
               request.output.c_str(), result.used, result.frames, result.rms_mm, result.sigma_mm,
@@ -96,6 +106,7 @@ void addCalibrateCoil(CLI::App& app, Context& context) {
                    "id 7)");
   addCoilLibraryOption(*verb, request->library);
   verb->add_option("-o,--output", request->output, "coil.json to write")->required();
+  verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request] { run(context, *request); });
 }
 

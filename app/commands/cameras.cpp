@@ -10,6 +10,7 @@
 #include "commands/picture_size.h"
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/camera_pair_source.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -52,9 +53,6 @@ void printList(const std::vector<capture::FoundCamera>& found, bool is_json) {
 
 void tryPair(const capture::CameraBackends& backends, const std::vector<capture::FoundCamera>& found,
              const CamerasRequest& request) {
-  if (request.left.empty() || request.right.empty())
-    throw Error("--try needs two cameras", "",
-                "give --left and --right with names or addresses from 'facenav cameras'");
   const auto open = [&](const std::string& name) {
     return capture::openCamera(backends, capture::findCamera(found, name));
   };
@@ -99,12 +97,16 @@ void addCameras(CLI::App& app, Context& context) {
       ->capture_default_str()
       ->check(CLI::Range(1.0, 1000.0));
   verb->callback([request, &context] {
+    if (request->has_latency && request->left.empty())
+      throw WrongUsage("--latency needs a camera", "give it with --left");
+    if (request->try_s > 0 && (request->left.empty() || request->right.empty()))
+      throw WrongUsage("--try needs two cameras",
+                       "give --left and --right with names or addresses from 'facenav cameras'");
+    const auto size = sizeOnly(request->size);
     const auto& backends = context.registrations.cameras;
     const auto found = capture::listCameras(
         backends, request->is_quick ? capture::Search::quick : capture::Search::everywhere);
     if (request->has_latency) {
-      if (request->left.empty()) throw Error("--latency needs a camera", "", "give it with --left");
-      const auto size = sizeOnly(request->size);
       capture::CameraSettings settings;
       settings.width_px = size.width_px;
       settings.height_px = size.height_px;

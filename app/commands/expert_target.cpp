@@ -1,10 +1,11 @@
 #include "commands/expert_target.h"
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "facenav/core/log.h"
 #include "facenav/geometry/json_transform.h"
 #include "facenav/plan/expert_pose.h"
+#include "json_output.h"
 
 namespace facenav::app {
 
@@ -30,19 +31,21 @@ void storeExpertTarget(Context& context, const casefile::CaseStore& store, const
   order.from_target = request.from_target;
   order.name = name;
   order.by = request.by;
+  const auto caution = steps::outsideCaution(store, order);
   const auto target = steps::storeExpertPose(store, order);
   const auto& expert = *target.expert;
+  if (caution) logWarning(*caution);
   if (is_json) {
-    const nlohmann::ordered_json json{{"name", target.name},
-                                      {"session", expert.session},
-                                      {"pulses", expert.pulses},
-                                      {"spread_mm", expert.spread_mm},
-                                      {"spread_deg", expert.spread_deg},
-                                      {"predicted_error_mm", expert.predicted_error_mm},
-                                      {"coil", expert.coil},
-                                      {"mri_T_target", rowMajor(target.mri_T_target)}};
-    return void(
-        std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str()));
+    nlohmann::ordered_json json{{"name", target.name},
+                                {"session", expert.session},
+                                {"pulses", expert.pulses},
+                                {"spread_mm", expert.spread_mm},
+                                {"spread_deg", expert.spread_deg},
+                                {"predicted_error_mm", expert.predicted_error_mm},
+                                {"coil", expert.coil},
+                                {"mri_T_target", rowMajor(target.mri_T_target)}};
+    if (caution) json["caution"] = *caution;
+    return printJson(json);
   }
   if (!context.is_quiet)
     std::printf("target '%s': %s\n", target.name.c_str(), steps::inWords(expert).c_str());

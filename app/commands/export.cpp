@@ -6,6 +6,8 @@
 #include "commands/commands.h"
 #include "commands/home.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/standard_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 
@@ -43,6 +45,8 @@ void addExport(CLI::App& app, Context& context) {
       request->home.replaces = request->replace;
       return exportHomeCase(context, store, request->home);
     }
+    if (isStandardOutput(request->output))
+      throw WrongUsage("surfaces and masks are several files, not one for standard output", "name a folder");
     std::vector<std::unique_ptr<casefile::Exporter>> exporters;  // checks all names before a file is written
     for (const auto& format : request->formats)
       exporters.push_back(context.registrations.exporters.create(format));

@@ -14,6 +14,8 @@
 #include "facenav/pictures/projected_guide.h"
 #include "facenav/scene/png.h"
 #include "facenav/treat/guide_poses.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -22,6 +24,7 @@ struct GuideRequest {
   std::filesystem::path case_folder, poses, output, projector, projected;
   std::string target;
   std::optional<std::int64_t> frame;
+  bool is_json = false;
 };
 
 /// Writes the projector's picture for one frame; by default the last frame in which the head was tracked.
@@ -64,26 +67,27 @@ void guideTable(const GuideRequest& request, const Context& context) {
   const auto rows = steps::guidePoses(store, poses, request.target, scalp.get());
   guidance::writeGuidanceCsv(rows, request.output);
   if (!request.projected.empty()) writeProjected(request, store, poses, rows);
-  if (context.is_quiet) return;
   const auto on_target = std::count_if(rows.begin(), rows.end(), [](const auto& row) {
     return row.state.state == guidance::State::on_target;
   });
-  std::printf("%zu frames, on target in %ld\n", rows.size(), long(on_target));
+  if (request.is_json) return printJson({{"frames", rows.size()}, {"on_target", on_target}});
+  if (!context.is_quiet) std::printf("%zu frames, on target in %ld\n", rows.size(), long(on_target));
 }
 
 /// Guides live; the table is the session's own, as written while it ran.
 void guideLive(const GuideRequest& request, SessionVerb session, Context& context) {
   if (!request.poses.empty() || !request.projected.empty())
-    throw Error("--live guides by the cameras", {}, "leave out POSES, --projector and --projected");
+    throw WrongUsage("--live guides by the cameras", "leave out POSES, --projector and --projected");
   const auto& all = context.registrations;
   session.case_folder = request.case_folder;
   session.target = request.target;
   session.aligner = all.aligners.defaultName();
   session.head_tracker = all.head_trackers.defaultName();
   session.coil_tracker = all.coil_trackers.defaultName();
+  session.is_json = request.is_json;
   const auto outcome = runSession(session, context);
   writeWholeFile(request.output, readWholeFile(outcome.session / "guidance.csv"));
-  if (!context.is_quiet && !session.has_commands) printSession(outcome);
+  if (request.is_json || (!context.is_quiet && !session.has_commands)) printSession(outcome, request.is_json);
   requireWholeSession(outcome);
 }
 
@@ -113,10 +117,11 @@ void addGuide(CLI::App& app, Context& context) {
   projector->needs(projected);
   verb->add_option("--frame", request->frame, "of --projected; default: the last one with the head tracked")
       ->needs(projected);
+  verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request, session] {
     if (!session->live.rig.empty()) return guideLive(*request, *session, context);
     if (request->poses.empty())
-      throw Error("it is not said what to guide", {}, "give POSES (poses.csv), or --live RIG");
+      throw WrongUsage("it is not said what to guide", "give POSES (poses.csv), or --live RIG");
     guideTable(*request, context);
   });
 }

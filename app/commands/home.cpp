@@ -8,8 +8,10 @@
 
 #include "commands/commands.h"
 #include "facenav/core/error.h"
+#include "facenav/core/standard_output.h"
 #include "facenav/home/returned_session.h"
 #include "facenav/plan/expert_pose.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 
@@ -19,12 +21,13 @@ void exportHomeCase(Context& context, const casefile::CaseStore& store, const Ho
   order.coil = request.coil.words;
   order.coil_library = coil_library::coilLibrary(request.coil.library);
   if (!request.by.empty()) order.released_by = request.by;
-  if (std::filesystem::exists(request.output) && !request.replaces)
+  if (!isStandardOutput(request.output) && std::filesystem::exists(request.output) && !request.replaces)
     throw Error("the file exists already", request.output.string(), "choose another name, or --replace");
   const auto detector = context.registrations.face_detector();
   const auto made = steps::exportHome(*detector, store, order, request.output, context.monitor);
   if (context.is_quiet) return;
-  std::printf("%s: %.1f MB, no MRI, no name\n", request.output.c_str(), double(made.bytes) / 1e6);
+  if (!isStandardOutput(request.output))
+    std::printf("%s: %.1f MB, no MRI, no name\n", request.output.c_str(), double(made.bytes) / 1e6);
   std::printf("expert's pose '%s': %s\n", made.target.name.c_str(),
               steps::inWords(*made.target.expert).c_str());
   if (made.face) std::printf("%s\n", faceFinding(*made.face).c_str());
@@ -43,7 +46,9 @@ void addFaceCase(CLI::App& app, Context& context) {
   auto request = std::make_shared<FaceCaseRequest>();
   auto& order = request->order;
   verb->add_option("RECORDING", order.recording, "recording of the first visit")->required();
-  verb->add_option("-o,--output", order.case_folder, "case folder to make")->required();
+  verb->add_option("-o,--output", order.case_folder, "case folder to make")
+      ->required()
+      ->check(folderToMake());
   verb->add_option("--label", order.label, "what the case is called in lists; default: nothing");
   verb->add_option("--using", request->from,
                    "measures in these pictures alone: dots, plain or film; default: the best")

@@ -6,6 +6,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/setup/record_live.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -91,8 +92,8 @@ void requireUnmoved(steps::VerifiedCameras& cameras, const std::string& rig) {
 std::unique_ptr<capture::FrameSource> openLive(const LiveChoice& choice, const Context& context) {
   if (!choice.rig.empty()) return openVerifiedRig(choice, context);
   if (choice.left.empty())
-    throw Error("it is not said which cameras", "",
-                "give --rig NAME, or --left, --right and --calibration stereo.yml");
+    throw WrongUsage("it is not said which cameras",
+                     "give --rig NAME, or --left, --right and --calibration stereo.yml");
   const auto& backends = context.registrations.cameras;
   const auto rig = cameras::readRig(choice.calibration);
   const auto found = capture::listCameras(backends);

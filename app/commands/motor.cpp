@@ -11,6 +11,7 @@
 #include "facenav/core/error.h"
 #include "facenav/report/session_notes.h"
 #include "facenav/treat/hotspot.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -111,18 +112,20 @@ void addNote(CLI::App& app, Context& context) {
   auto notes = std::make_shared<Notes>();
   verb->add_option("CASE", notes->case_folder, "case folder")->required();
   verb->add_option("SESSION", notes->session, "its name, or how it begins; default: the newest");
-  verb->add_option("--pain-before", notes->pain_before, "0 (none) to 10 (the worst imaginable)");
-  verb->add_option("--pain-after", notes->pain_after, "likewise, after the session");
+  verb->add_option("--pain-before", notes->pain_before, "0 (none) to 10 (the worst imaginable)")
+      ->check(CLI::Range(0.0, 10.0));
+  verb->add_option("--pain-after", notes->pain_after, "likewise, after the session")
+      ->check(CLI::Range(0.0, 10.0));
   verb->add_option("--adverse-event", notes->adverse, "what happened, in words");
   verb->add_option("--operator", notes->by, "who treated: name or initials (not the patient's)");
   verb->add_option("--muscle", notes->muscle, "muscle and side");
   verb->add_option("--stimulator", notes->stimulator, "make and model");
   verb->callback([&context, notes] {
-    const auto store = casefile::CaseStore::open(notes->case_folder);
-    const auto folder = casefile::findSession(store.folder(), notes->session);
     const auto entries = entriesOf(*notes);
     if (entries.empty())
-      throw Error("nothing to note", {}, "give --pain-before, --adverse-event or another one");
+      throw WrongUsage("nothing to note", "give --pain-before, --adverse-event or another one");
+    const auto store = casefile::CaseStore::open(notes->case_folder);
+    const auto folder = casefile::findSession(store.folder(), notes->session);
     for (const auto& [event, detail] : entries) casefile::addNote(folder, event, detail);
     if (!context.is_quiet)
       std::printf("%zu noted in session %s\n", entries.size(), folder.filename().c_str());

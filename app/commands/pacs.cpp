@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 namespace {
@@ -29,11 +30,13 @@ struct PacsRequest {
 void addNode(CLI::App* verb, const std::shared_ptr<PacsRequest>& request) {
   pacs::PacsNode& node = request->node;
   verb->add_option("--host", node.host, "the archive's name or address")->required();
-  verb->add_option("--port", node.port, "its DICOM port")->capture_default_str();
+  verb->add_option("--port", node.port, "its DICOM port")->check(CLI::Range(1, 65535))->capture_default_str();
   verb->add_option("--title", node.title, "its application entity title")->required();
   verb->add_option("--own-title", node.own_title, "ours, as entered there")->capture_default_str();
-  verb->add_option("--own-port", node.own_port, "where it sends to on C-MOVE")->capture_default_str();
-  verb->add_option("--timeout", node.timeout_s, "s")->capture_default_str();
+  verb->add_option("--own-port", node.own_port, "where it sends to on C-MOVE")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  verb->add_option("--timeout", node.timeout_s, "s")->check(CLI::Range(1, 3600))->capture_default_str();
   verb->add_option("--tls-trust", request->tls.trusted_certificate,
                    "use TLS: PEM certificate of the archive, or of who signed it");
   verb->add_option("--tls-certificate", request->tls.certificate, "our own, where the archive asks for one");
@@ -105,7 +108,9 @@ void addGet(CLI::App& pacs_verb, Context& context) {
   verb->add_option("--method", request->method, "get, move, or automatic: get, else move")
       ->check(CLI::IsMember({"automatic", "get", "move"}))
       ->capture_default_str();
-  verb->add_option("-o,--output", request->folder, "folder, empty or absent")->required();
+  verb->add_option("-o,--output", request->folder, "folder, empty or absent")
+      ->required()
+      ->check(folderToMake());
   verb->callback([&context, request] {
     const auto how = request->method == "get"    ? pacs::Retrieval::get
                      : request->method == "move" ? pacs::Retrieval::move

@@ -4,9 +4,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <set>
 
 #include "commands/coil_option.h"
 #include "commands/commands.h"
@@ -28,12 +30,14 @@
 #include "facenav/scene/png.h"
 #include "facenav/volume/map_peak.h"
 #include "facenav/volume/nifti.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
 
 struct PlanRequest {
-  std::filesystem::path case_folder, coil_library, protocol, picture, slices, map;
+  std::filesystem::path case_folder, coil_library, protocol, protocol_template, picture, slices, map;
   bool is_json = false, lists_presets = false, lists_landmarks = false, measures = false,
        shows_protocol = false;
   std::vector<std::string> set_landmarks, find_landmarks, compare;
@@ -49,14 +53,11 @@ struct PlanRequest {
 
 /// Reads "nasion=1.5,85,-40".
 std::pair<surface::Landmark, Point<Mri>> readLandmark(const std::string& text) {
-  const auto equals = text.find('=');
-  Eigen::Vector3d p;
-  char rest = 0;
-  if (equals == std::string::npos ||
-      std::sscanf(text.c_str() + equals + 1, "%lf,%lf,%lf%c", &p[0], &p[1], &p[2], &rest) != 3 ||
-      !p.allFinite())
-    throw Error("'" + text + "' is no place of a landmark", {}, "write it as nasion=X,Y,Z (RAS mm)");
-  return {surface::landmarkFrom(text.substr(0, equals)), Point<Mri>(p)};
+  const auto equals = std::min(text.find('='), text.size());
+  const auto p = numbersIn(text.substr(std::min(equals + 1, text.size())));
+  if (p.size() != 3)
+    throw WrongUsage("'" + text + "' is no place of a landmark", "write it as nasion=X,Y,Z (RAS mm)");
+  return {surface::landmarkFrom(text.substr(0, equals)), Point<Mri>(p[0], p[1], p[2])};
 }
 
 std::string userName() {
@@ -82,7 +83,7 @@ class PlanSteps {
     if (request_.compare.size() == 2) compare(), has_done = true;
     if (!request_.picture.empty()) draw(), has_done = true;
     if (!request_.slices.empty()) drawSlices(), has_done = true;
-    if (!has_done || (!is_quiet_ && has_edited_)) printPlan(store_.targets(), head(), request_.is_json);
+    if (!has_done || (!is_quiet_ && has_edited_)) printPlan(shownPlan(), head(), request_.is_json);
   }
 
  private:
@@ -93,6 +94,18 @@ class PlanSteps {
     return *head_;
   }
   steps::HeadMeasures headMeasures() { return {head().scalp, steps::landmarksOf(store_, *head().scalp)}; }
+
+  /// The targets that were added, where only that was done; else all.
+  guidance::TreatmentPlan shownPlan() const {
+    auto plan = store_.targets();
+    if (added_.empty() || is_other_edited_) return plan;
+    const auto isOld = [&](const guidance::Target& target) {
+      const bool is_of_grid = target.grid_place && added_.count(target.grid_place->seed) == 1;
+      return added_.count(target.name) == 0 && !is_of_grid;
+    };
+    plan.targets.erase(std::remove_if(plan.targets.begin(), plan.targets.end(), isOld), plan.targets.end());
+    return plan;
+  }
 
   bool landmarkSteps() {
     std::vector<std::pair<surface::Landmark, Point<Mri>>> places;
@@ -128,7 +141,7 @@ class PlanSteps {
     const auto step = [&](bool is_wanted, auto edit) {
       if (!is_wanted) return;
       const bool is_named = !request_.target.empty() || has_added;
-      if (!is_named || !editor.active()) throw Error("no target is named", {}, "give --target NAME");
+      if (!is_named || !editor.active()) throw WrongUsage("no target is named", "give --target NAME");
       edit();
       has_edited_ = true;
     };
@@ -137,9 +150,9 @@ class PlanSteps {
     step(!request_.grid.empty(), [&] { editor.setGrid(gridSpec()); });
     step(request_.removes_grid, [&] { editor.setGrid(std::nullopt); });
     step(request_.locks, [&] { editor.setLocked(true); });
-    step(request_.duplicates, [&] { editor.duplicate(); });
-    step(request_.mirrors, [&] { mirror(editor); });
-    step(request_.removes, [&] { editor.remove(); });
+    step(request_.duplicates, [&] { editor.duplicate(), added_.insert(editor.active()->name); });
+    step(request_.mirrors, [&] { mirror(editor), added_.insert(editor.active()->name); });
+    step(request_.removes, [&] { editor.remove(), is_other_edited_ = true; });
     return has_edited_;
   }
 
@@ -148,6 +161,7 @@ class PlanSteps {
     const auto map = store_.atlas();
     const auto place = steps::placeOf(preset, map ? &*map : nullptr, headMeasures());
     editor.addTarget(place, request_.name.empty() ? preset.name : request_.name, wish());
+    added_.insert(editor.active()->name);
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
 
@@ -166,6 +180,7 @@ class PlanSteps {
                             request_.map.filename().c_str(), is_mni ? "MNI" : "RAS", p.x(), p.y(), p.z(),
                             peak.is_at_edge ? ", at the region's rim: the map goes on there" : "");
     editor.addTarget(place, request_.name.empty() ? "map peak" : request_.name, wish());
+    added_.insert(editor.active()->name);
     if (!is_quiet_ && !request_.is_json) std::printf("%s\n", place.words.c_str());
   }
 
@@ -233,14 +248,15 @@ class PlanSteps {
   }
 
   const PlanRequest& request_;
-  bool is_quiet_, has_edited_ = false;
+  bool is_quiet_, has_edited_ = false, is_other_edited_ = false;
+  std::set<std::string> added_;  // names of new targets
   casefile::CaseStore store_;
   std::optional<steps::PlannedHead> head_;
 };
 
 void addTargetOptions(CLI::App& verb, PlanRequest& request) {
-  auto* preset =
-      verb.add_option("--preset", request.preset, "adds a target at a preset (see --list-presets)");
+  auto* preset = verb.add_option("--preset", request.preset, "adds a target at a preset (see --list-presets)")
+                     ->check(understoodBy([](const std::string& name) { steps::presetNamed(name); }));
   auto* map = verb.add_option("--peak", request.map, "adds a target at the peak of a NIfTI map (fMRI)");
   auto* within = verb.add_option("--within", request.within, "x y z of the map's region, mm, in its space");
   within->expected(3)->needs(map);
@@ -269,7 +285,9 @@ void addTargetOptions(CLI::App& verb, PlanRequest& request) {
   addCoilLibraryOption(verb, request.coil_library);
   verb.add_option("--target", request.target, "the target that the next options change");
   verb.add_option("--grid", request.grid, "a grid round the target: rows columns")->expected(2);
-  verb.add_option("--spacing-mm", request.spacing_mm, "of the grid")->capture_default_str();
+  verb.add_option("--spacing-mm", request.spacing_mm, "of the grid")
+      ->check(CLI::Range(1.0, 30.0))
+      ->capture_default_str();
   verb.add_option("--on", request.grid_on, "the grid is measured on: scalp, cortex")
       ->check(CLI::IsMember({"scalp", "cortex"}))
       ->capture_default_str();
@@ -296,9 +314,11 @@ void addPlan(CLI::App& app, Context& context) {
   addTargetOptions(*verb, *request);
   verb->add_flag("--landmarks", request->lists_landmarks, "nasion, inion, tragi: place, error, origin");
   verb->add_option("--set-landmark", request->set_landmarks, "sets a landmark by hand: nasion=X,Y,Z (RAS mm)")
+      ->check(understoodBy([](const std::string& words) { readLandmark(words); }))
       ->allow_extra_args(false);
   verb->add_option("--find-landmark", request->find_landmarks,
                    "finds a landmark again: nasion, inion, tragus-left, ..")
+      ->check(understoodBy([](const std::string& name) { surface::landmarkFrom(name); }))
       ->allow_extra_args(false);
   verb->add_flag("--measures", request->measures, "tape measures, EEG sites and Beam F3");
   verb->add_option("--picture", request->picture, "PNG of the head with landmarks, EEG sites and coils");
@@ -308,10 +328,14 @@ void addPlan(CLI::App& app, Context& context) {
   addOverlayOptions(*verb, request->overlays);
   verb->add_option("--protocol", request->protocol, "protocol file that the case uses from now on");
   verb->add_flag("--show-protocol", request->shows_protocol, "the case's protocol");
+  verb->add_option("--protocol-template", request->protocol_template,
+                   "writes a protocol file to fill in, and nothing else ('-': standard output)");
   verb->add_option("--by", request->by, "who makes the change (default: the user's login name)");
   verb->add_flag("--json", request->is_json, "JSON");
   verb->callback([&context, request, folder] {
     if (request->lists_presets) return printPresets(request->is_json);
+    if (!request->protocol_template.empty())
+      return casefile::writeProtocolTemplate(request->protocol_template);
     if (folder->empty()) throw CLI::RequiredError("CASE");
     PlanSteps(*request, context.is_quiet).run();
   });

@@ -7,18 +7,14 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/dose_json.h"
 #include "facenav/guidance/handle.h"
+#include "json_output.h"
 
 namespace facenav::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double tenth(double value) { return std::round(10 * value) / 10 + 0.0; }
 double tenthDegrees(double rad) { return tenth(rad * kDegPerRad); }
-Json tenths(const Eigen::Vector3d& p) { return {tenth(p.x()), tenth(p.y()), tenth(p.z())}; }
-void printJson(const Json& json) {
-  std::printf("%s\n", json.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
-}
 
 }  // namespace
 

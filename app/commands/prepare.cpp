@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "facenav/prepare/prepare_case.h"
 #include "navigation_sheet.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 
@@ -16,7 +17,9 @@ void addPrepare(CLI::App& app, Context& context) {
   verb->add_option("INPUT", request->input,
                    "DICOM folder, one DICOM file, or NIfTI (.nii, .nii.gz, .hdr, .img)")
       ->required();
-  verb->add_option("-o,--output", request->case_folder, "case folder to make")->required();
+  verb->add_option("-o,--output", request->case_folder, "case folder to make")
+      ->required()
+      ->check(folderToMake());
   verb->add_option("--series", request->series_uid,
                    "series UID, where INPUT holds several ('facenav series' lists them)");
   verb->add_option(
@@ -27,6 +30,7 @@ void addPrepare(CLI::App& app, Context& context) {
       ->capture_default_str();
   verb->add_option("--brain", request->brain_segmenter,
                    "brain segmentation: " + steps::namesOf(context.registrations.brain_segmenters))
+      ->check(namedIn(context.registrations.brain_segmenters))
       ->capture_default_str();
   verb->add_flag(
       "--replace", request->replace,

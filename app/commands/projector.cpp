@@ -11,6 +11,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/stereo/projector_calibration.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 namespace {
@@ -28,7 +29,7 @@ stereo::ProjectorCode codeOf(const ProjectorRequest& request) {
 
 void writePictures(const ProjectorRequest& request, bool is_quiet) {
   const auto pictures = stereo::codePictures(codeOf(request));
-  WholeFolder folder(request.output);
+  WholeFolder folder(request.output, FileAccess::by_umask);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     if (!cv::imwrite((folder.temporaryPath() / formatted("%02zu.png", i)).string(), pictures[i]))
       throw Error("image cannot be written", request.output.string(), "check free disk space");
@@ -87,7 +88,7 @@ void addProjector(CLI::App& app, Context& context) {
       projector->add_subcommand("calibrate", "the cameras' pictures of them -> projector.yml (for guide)");
   for (auto* verb : {pictures, calibrate})
     verb->add_option("--size", request->size, "of the projector's picture, px")->capture_default_str();
-  pictures->add_option("-o,--output", request->output, "folder to write")->required();
+  pictures->add_option("-o,--output", request->output, "folder to write")->required()->check(folderToMake());
   calibrate
       ->add_option(
           "SCENE", request->scenes,

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "commands/live_option.h"
 #include "facenav/setup/record_live.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 namespace {
@@ -45,7 +46,9 @@ void addRecord(CLI::App& app, Context& context) {
                    "still pair for the alignment: dots (asks for the projector on, then off) or plain (the "
                    "first pair)")
       ->check(CLI::IsMember({"dots", "plain"}));
-  verb->add_option("-o,--output", request->request.folder, "recording folder to write")->required();
+  verb->add_option("-o,--output", request->request.folder, "recording folder to write")
+      ->required()
+      ->check(folderToMake());
   verb->callback([&context, request] { runRecord(context, *request); });
 }
 

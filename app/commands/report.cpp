@@ -9,11 +9,13 @@
 #include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "facenav/core/standard_output.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_report.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "virtual_display.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -58,6 +60,8 @@ void printPdf(const ReportRequest& request, const fs::path& session_folder, cons
 }
 
 void makeReport(const ReportRequest& request, const Context& context) {
+  if (request.output && isStandardOutput(*request.output) && request.is_pdf_wanted)
+    throw WrongUsage("--pdf writes beside the page, which goes to standard output", "give --pdf-file FILE");
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto folder = casefile::findSession(store.folder(), request.session);
   const auto session = casefile::readSession(folder);
@@ -68,7 +72,7 @@ void makeReport(const ReportRequest& request, const Context& context) {
   if (!request.has_no_pictures) options.pictures = steps::pulsePictures(store, session);
   const auto page = request.output.value_or(folder / "report.html");
   writeWholeFile(page, report::sessionReport(store, session, options), FileAccess::owner_only);
-  if (!context.is_quiet) std::printf("%s\n", page.c_str());
+  if (!context.is_quiet && !isStandardOutput(page)) std::printf("%s\n", page.c_str());
   if (!request.is_pdf_wanted && !request.pdf) return;
   const auto pdf = request.pdf.value_or(fs::path(page).replace_extension(".pdf"));
   printPdf(request, folder, pdf, context);

@@ -13,6 +13,8 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_review.h"
 #include "facenav/review/mep_import.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -123,14 +125,14 @@ struct PulsesRequest {
 
 /// Reads "12=350": pulse 12, 350 uV; "12=": not known.
 casefile::MepEdit mepFrom(const std::string& words, const std::string& by) {
-  int number = 0, read = 0;
-  double value_uv = 0;
-  const auto end = int(words.size());
-  if (std::sscanf(words.c_str(), "%d=%lf%n", &number, &value_uv, &read) == 2 && read == end)
-    return {number, value_uv, {}, "typed", by};
-  if (std::sscanf(words.c_str(), "%d=%n", &number, &read) == 1 && read == end)
-    return {number, {}, {}, "typed", by};
-  throw Error("'" + words + "' is no MEP", "--set-mep", "PULSE=MICROVOLTS is expected, as 12=350");
+  const auto equals = std::min(words.find('='), words.size());
+  const auto number = numberIn(words.substr(0, equals));
+  const bool is_pulse = number && *number >= 1 && *number <= 1e9 && *number == std::floor(*number);
+  const std::string typed = equals < words.size() ? words.substr(equals + 1) : std::string("-");
+  const auto value_uv = numberIn(typed);
+  if (!is_pulse || !(value_uv || typed.empty()))
+    throw WrongUsage("'" + words + "' is no MEP", "give --set-mep PULSE=MICROVOLTS, as 12=350");
+  return {int(*number), value_uv, {}, "typed", by};
 }
 
 void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder, const Context& context) {
@@ -239,8 +241,11 @@ void addPulses(CLI::App& app, Context& context) {
       ->needs(mep);
   verb->add_option("--set-mep", request->set_meps,
                    "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
+      ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
       ->allow_extra_args(false);
   verb->callback([&context, request] {
+    if (!request->exclude.empty() && request->reason.empty())
+      throw WrongUsage("a pulse is excluded only with a reason", "give --reason");
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto folder = casefile::findSession(store.folder(), request->session);
     if (request->edits()) editPulses(*request, folder, context);

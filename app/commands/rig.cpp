@@ -10,6 +10,7 @@
 #include "facenav/cameras/board_page.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 
@@ -23,7 +24,7 @@ std::string rigUtcNow() {
 std::optional<cameras::Board> boardOf(const RigRequest& request) {
   if (request.board.empty()) return std::nullopt;
   if (!(request.square_mm > 0))
-    throw Error("the size of the board's squares is missing", "--square", "measure a square, in mm");
+    throw WrongUsage("the size of the board's squares is missing", "measure a square, in mm");
   return cameras::boardFromText(request.board, request.square_mm);
 }
 

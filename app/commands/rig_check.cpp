@@ -9,6 +9,7 @@
 #include "facenav/capture/recording.h"
 #include "facenav/core/log.h"
 #include "facenav/health/verify_rig.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -48,8 +49,8 @@ void takeAll(const capture::NamedRig& rig, const RigRequest& request, const Cont
   const int sources = int(!request.recording.empty()) + int(!request.left.empty() && !request.right.empty()) +
                       int(request.live_s > 0);
   if (sources != 1)
-    throw Error("it is not said what to check the rig with", "",
-                "give a recording, or --left and --right pictures, or --live");
+    throw WrongUsage("it is not said what to check the rig with",
+                     "give a recording, or --left and --right pictures, or --live");
   if (request.live_s > 0) return takeLive(rig, request, context, take);
   if (request.recording.empty()) return takePictures(request, take);
   const auto recording = capture::openRecording(request.recording);

@@ -8,6 +8,7 @@
 #include "facenav/capture/calibration_images.h"
 #include "facenav/core/log.h"
 #include "facenav/setup/settle_camera.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -21,9 +22,10 @@ std::optional<cameras::StereoRig> fromFilesOf(const RigRequest& request, Context
   const bool has_pictures = !request.left.empty() && !request.right.empty();
   if (board && !has_pictures && !request.left_camera.empty()) return std::nullopt;
   if (!board || !has_pictures)
-    throw Error("the calibration is missing", "",
-                "give --calibration stereo.yml, or --board and --square with --left and --right pictures, or "
-                "with --left-camera and --right-camera");
+    throw WrongUsage(
+        "the calibration is missing",
+        "give --calibration stereo.yml, or --board and --square with --left and --right pictures, or "
+        "with --left-camera and --right-camera");
   const auto result = request.is_choosing
                           ? calibrateChosen(request, context)
                           : cameras::calibrate(capture::readCalibrationImages(request.left, request.right),
@@ -66,7 +68,8 @@ void calibrateBefore(capture::NamedRig& rig, const RigRequest& request, Context&
 
 void makeRig(const RigRequest& request, Context& context) {
   if (request.left_camera.empty() != request.right_camera.empty())
-    throw Error("one of the two cameras is missing", "", "give --left-camera and --right-camera, or neither");
+    throw WrongUsage("one of the two cameras is missing",
+                     "give --left-camera and --right-camera, or neither");
   const capture::RigStore store(request.rigs);
   if (!request.is_replacing && std::filesystem::exists(store.folderOf(request.name)))
     throw Error("there is a rig of this name", store.folderOf(request.name).string(),

@@ -34,12 +34,7 @@ Json toJson(const casefile::Pulse& pulse) {
 }
 
 double numberFrom(const std::string& text, const char* what) {
-  std::size_t end = 0;
-  try {
-    const double value = std::stod(text, &end);
-    if (end == text.size()) return value;
-  } catch (const std::exception&) {  // not a number
-  }
+  if (const auto value = numberIn(text)) return *value;
   throw Error(std::string(what) + " is a number, not '" + text.substr(0, 40) + "'");
 }
 

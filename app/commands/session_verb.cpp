@@ -8,6 +8,8 @@
 #include "commands/session_teller.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/session_return.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -62,8 +64,8 @@ steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& c
 bool hasKeyboard(const SessionVerb& verb) {
   const bool has = std::find(verb.sources.begin(), verb.sources.end(), kKeyboard) != verb.sources.end();
   if (has && verb.has_commands)
-    throw Error("--pulses keyboard and --commands both read standard input", {},
-                "use the command 'pulse' in place of the keyboard");
+    throw WrongUsage("--pulses keyboard and --commands both read standard input",
+                     "use the command 'pulse' in place of the keyboard");
   return has;
 }
 
@@ -103,14 +105,15 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
 
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
   if (verb.case_folder.empty())
-    throw Error("a session belongs to a case", {},
-                verb.live.rig.empty() ? "give it with --case"
-                                      : "give it with --case (without a case: facenav record, then track)");
+    throw WrongUsage("a session belongs to a case",
+                     verb.live.rig.empty()
+                         ? "give it with --case"
+                         : "give it with --case (without a case: facenav record, then track)");
   auto request = requestOf(verb, context);
   const bool has_keyboard = hasKeyboard(verb);
   noteInterrupted(verb, context);
   SessionCommands commands(coil_library::coilLibrary(verb.coil.library));
-  SessionTeller teller(context.is_quiet || verb.has_commands);
+  SessionTeller teller(context.is_quiet || verb.has_commands || verb.is_json);
   std::optional<PulseKeys> keys;
   if (has_keyboard) keys.emplace(context.is_quiet);
   request.look = [&](steps::Treatment& treatment) {
@@ -121,8 +124,17 @@ steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& contex
   return steps::treatRecording(context.registrations, request, context.monitor);
 }
 
-void printSession(const steps::TreatRecordingOutcome& outcome) {
+void printSession(const steps::TreatRecordingOutcome& outcome, bool is_json) {
   const auto& pulses = outcome.pulses;
+  if (is_json)
+    return printJson({{"session", outcome.session.filename().string()},
+                      {"on_target", pulses.on_target},
+                      {"outside", pulses.outside},
+                      {"lost", pulses.lost},
+                      {"frames", outcome.frames},
+                      {"processing_ms_median", outcome.processing_ms_median},
+                      {"processing_ms_p99", outcome.processing_ms_p99},
+                      {"failure", outcome.failure}});
   std::printf("session %s: %d pulses on target, %d outside, %d with head or coil lost\n",
               outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
   std::printf("%d frames; %.1f ms a frame (median), %.1f ms (p99)\n", outcome.frames,

@@ -27,6 +27,7 @@ struct SessionVerb {
   std::string session;
   double speed = 1;
   int passes = 1;
+  bool is_json = false;  // its result is printed as JSON
 };
 
 /// Adds --live, --rigs, --seconds.
@@ -36,8 +37,8 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
 /// on stderr, one line each. The session is stored in each case. Throws Error.
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
-/// Prints pulses, frames and times in two lines.
-void printSession(const steps::TreatRecordingOutcome& outcome);
+/// Prints pulses, frames and times in two lines, or as JSON.
+void printSession(const steps::TreatRecordingOutcome& outcome, bool is_json);
 /// Throws Error if the session ended early. Call it after its results were written.
 void requireWholeSession(const steps::TreatRecordingOutcome& outcome);
 

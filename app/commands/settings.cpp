@@ -12,6 +12,8 @@
 #include "commands/commands.h"
 #include "evidence_table.h"
 #include "facenav/core/error.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -46,7 +48,7 @@ std::vector<SettingEntry> entriesOf(const SettingsTable& table, const std::strin
   }
   std::string names;
   for (const std::string& name : modules) names += (names.empty() ? "" : ", ") + name;
-  if (entries.empty()) throw Error("no module '" + module + "' has settings", {}, "choose one of: " + names);
+  if (entries.empty()) throw WrongUsage("no module '" + module + "' has settings", "choose one of: " + names);
   return entries;
 }
 
@@ -64,22 +66,24 @@ std::vector<std::pair<std::string, std::string>> constantsNamed(const std::strin
   return found;
 }
 
-/// Prints where the settings and constants come from whose names contain `name`. Throws Error: there is none.
-void printWhy(const SettingsTable& table, const std::string& name) {
-  bool is_found = false;
-  for (const SettingEntry& entry : table.entries()) {
-    if (entry.key().find(name) == std::string::npos) continue;
-    std::printf("%s: %s, %s\n", entry.key().c_str(), toString(entry.setting.origin).c_str(),
-                entry.setting.evidence.c_str());
-    is_found = true;
+/// Prints where the settings and constants come from whose names contain `name`. Throws WrongUsage: there is
+/// none.
+void printWhy(const SettingsTable& table, const std::string& name, bool is_json) {
+  auto found = constantsNamed(name);
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const SettingEntry& entry : table.entries())
+    if (entry.key().find(name) != std::string::npos)
+      settings.emplace_back(entry.key(), toString(entry.setting.origin) + ", " + entry.setting.evidence);
+  found.insert(found.begin(), settings.begin(), settings.end());
+  if (found.empty())
+    throw WrongUsage("no setting and no constant with evidence has '" + name + "' in its name",
+                     "'facenav settings' lists the settings");
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& [key, evidence] : found) {
+    if (!is_json) std::printf("%s: %s\n", key.c_str(), evidence.c_str());
+    json.push_back({{"name", key}, {"evidence", evidence}});
   }
-  for (const auto& [constant, evidence] : constantsNamed(name)) {
-    std::printf("%s: %s\n", constant.c_str(), evidence.c_str());
-    is_found = true;
-  }
-  if (!is_found)
-    throw Error("no setting and no constant with evidence has '" + name + "' in its name", {},
-                "'facenav settings' lists the settings");
+  if (is_json) printJson(json);
 }
 
 }  // namespace
@@ -105,7 +109,7 @@ void addSettings(CLI::App& app, Context& context) {
       ->excludes("--json");
   verb->callback([&context, request] {
     if (request->is_gates) return void(std::fputs(gatesTable(), stdout));
-    if (request->why) return printWhy(app::settingsFor(context.settings), *request->why);
+    if (request->why) return printWhy(app::settingsFor(context.settings), *request->why, request->is_json);
     const auto entries = entriesOf(app::settingsFor(context.settings), request->module);
     auto json = nlohmann::ordered_json::array();
     std::string subject;
@@ -118,7 +122,7 @@ void addSettings(CLI::App& app, Context& context) {
       subject = entry.subject;
       print(entry);
     }
-    if (request->is_json) std::printf("%s\n", json.dump(1).c_str());
+    if (request->is_json) printJson(json);
   });
 }
 

@@ -8,12 +8,19 @@
 #include "facenav/atlas/brain_template.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
+#include "facenav/geometry/json_transform.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/plan/plan_edits.h"
+#include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kFarthestPlace_mm = 1000;  // beyond it no number is a place in a head
 
 /// Typed place, in one of the two frames.
 struct Place {
@@ -23,9 +30,18 @@ struct Place {
 
 void addPlaceOptions(CLI::App& verb, const std::shared_ptr<Place>& place) {
   verb.add_option("CASE", place->case_folder, "case folder")->required();
-  auto* mni = verb.add_option("--mni", place->mni_mm, "x y z in MNI space (mm)")->expected(3);
-  auto* ras = verb.add_option("--ras", place->ras_mm, "x y z in the patient's MRI (RAS mm)")->expected(3);
+  auto* mni = verb.add_option("--mni", place->mni_mm, "x y z in MNI space (mm)")
+                  ->expected(3)
+                  ->check(CLI::Range(-kFarthestPlace_mm, kFarthestPlace_mm));
+  auto* ras = verb.add_option("--ras", place->ras_mm, "x y z in the patient's MRI (RAS mm)")
+                  ->expected(3)
+                  ->check(CLI::Range(-kFarthestPlace_mm, kFarthestPlace_mm));
   mni->excludes(ras);
+}
+
+void requirePlace(const Place& place) {
+  if (place.mni_mm.empty() && place.ras_mm.empty())
+    throw WrongUsage("no place is given", "give --mni X Y Z or --ras X Y Z");
 }
 
 Eigen::Vector3d toVector(const std::vector<double>& p) { return {p[0], p[1], p[2]}; }
@@ -38,8 +54,7 @@ atlas::AtlasMap atlasOf(const casefile::CaseStore& store) {
 
 Point<Mri> toMri(const casefile::CaseStore& store, const Place& place) {
   if (!place.mni_mm.empty()) return atlasOf(store).toMri(Point<Mni>(toVector(place.mni_mm)));
-  if (!place.ras_mm.empty()) return Point<Mri>(toVector(place.ras_mm));
-  throw Error("no place is given", {}, "give --mni X Y Z or --ras X Y Z");
+  return Point<Mri>(toVector(place.ras_mm));
 }
 
 void printLabel(const atlas::LabelMap& labels, const Point<Mni>& p) {
@@ -47,6 +62,23 @@ void printLabel(const atlas::LabelMap& labels, const Point<Mni>& p) {
   if (label.name.empty()) return void(std::printf("%-9s none within 5 mm\n", labels.name.c_str()));
   std::printf("%-9s %s", labels.name.c_str(), label.name.c_str());
   std::printf(label.distance_mm > 0 ? " (%.0f mm away)\n" : "\n", label.distance_mm);
+}
+
+Json labelJson(const atlas::LabelMap& labels, const Point<Mni>& p) {
+  const auto label = atlas::labelAt(labels, p);
+  if (label.name.empty()) return nullptr;
+  return {{"name", label.name}, {"distance_mm", label.distance_mm}};
+}
+
+Json placeJson(const casefile::CaseStore& store, const Point<Mri>& p) {
+  Json json{{"ras_mm", tenths(p.mm)}, {"mni_mm", nullptr}};
+  const auto map = store.atlas();
+  if (!map) return json;
+  const auto mni = map->toMni(p);
+  const auto colin = atlas::readColin27();
+  json["mni_mm"] = tenths(mni.mm);
+  for (const auto* labels : {&colin.aal, &colin.brodmann}) json[labels->name] = labelJson(*labels, mni);
+  return json;
 }
 
 void print(const casefile::CaseStore& store, const Point<Mri>& p) {
@@ -60,16 +92,34 @@ void print(const casefile::CaseStore& store, const Point<Mri>& p) {
   printLabel(colin.brodmann, mni);
 }
 
+/// The new target alone.
+void printTarget(const casefile::CaseStore& store, const guidance::Target& target, bool is_json) {
+  const double above_mm = (target.scalp_point.mm - target.cortex_point.mm).norm();
+  if (is_json) {
+    Json json{{"name", target.name}, {"mri_T_target", rowMajor(target.mri_T_target)}};
+    json["scalp_above_mm"] = tenth(above_mm);
+    json.update(placeJson(store, target.cortex_point));
+    return printJson(json);
+  }
+  std::printf("target    %s\n", target.name.c_str());
+  print(store, target.cortex_point);
+  std::printf("scalp     %.1f mm above it\n", above_mm);
+}
+
 }  // namespace
 
 void addLocate(CLI::App& app, Context&) {
   auto* verb = app.add_subcommand(
       "locate", "a place of the brain in MRI and MNI coordinates, with its AAL and Brodmann label");
   auto place = std::make_shared<Place>();
+  auto is_json = std::make_shared<bool>(false);
   addPlaceOptions(*verb, place);
-  verb->callback([place] {
+  verb->add_flag("--json", *is_json, "as JSON");
+  verb->callback([place, is_json] {
+    requirePlace(*place);
     const auto store = casefile::CaseStore::open(place->case_folder);
-    print(store, toMri(store, *place));
+    const auto p = toMri(store, *place);
+    *is_json ? printJson(placeJson(store, p)) : print(store, p);
   });
 }
 
@@ -92,7 +142,7 @@ void addTarget(CLI::App& app, Context& context) {
       "name of the target; one of the same name is replaced; with --from-session: \"expert\" and the "
       "session's target where none is given");
   addExpertOptions(*verb, request->expert);
-  verb->add_flag("--json", request->is_json, "with --from-session: JSON");
+  verb->add_flag("--json", request->is_json, "as JSON");
   verb->add_option("--handle-deg", request->handle_deg, "handle, from anterior towards the midline")
       ->check(CLI::Range(-180.0, 180.0))
       ->capture_default_str();
@@ -100,10 +150,11 @@ void addTarget(CLI::App& app, Context& context) {
       ->check(CLI::Range(0.0, guidance::kMostGap_mm))
       ->capture_default_str();
   verb->callback([&context, place, request] {
+    if (!request->expert.is_wanted) requirePlace(*place);
+    if (!request->expert.is_wanted && request->name.empty()) throw CLI::RequiredError("--name");
     const auto store = casefile::CaseStore::open(place->case_folder);
     if (request->expert.is_wanted)
       return storeExpertTarget(context, store, request->expert, request->name, request->is_json);
-    if (request->name.empty()) throw CLI::RequiredError("--name");
     const auto plan = store.targets();
     if (const auto* old = steps::find(plan, request->name); old && old->is_locked)
       throw Error("the target '" + old->name + "' is locked", store.folder().string(), "unlock it first");
@@ -112,9 +163,7 @@ void addTarget(CLI::App& app, Context& context) {
         steps::targetOverCortex(head, request->name, steps::cortexNear(head, toMri(store, *place)),
                                 {request->handle_deg * kRadPerDeg, request->gap_mm});
     store.setTargets(steps::with(plan, target.name, target));
-    if (context.is_quiet) return;
-    print(store, target.cortex_point);
-    std::printf("scalp     %.1f mm above it\n", (target.scalp_point.mm - target.cortex_point.mm).norm());
+    if (request->is_json || !context.is_quiet) printTarget(store, target, request->is_json);
   });
 }
 

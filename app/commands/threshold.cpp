@@ -42,7 +42,9 @@ Reply replyFromJson(const std::string& line) {
   const auto json = Json::parse(line, nullptr, false);
   if (!json.is_object()) refuse(line);
   Reply reply;
-  const auto number = [&](const char* key) { return json.contains(key) && json[key].is_number(); };
+  const auto number = [&](const char* key) {
+    return json.contains(key) && json[key].is_number() && isUsableNumber(json[key].get<double>());
+  };
   const auto isTrue = [&](const char* key) { return json.contains(key) && json[key] == true; };
   if (number("intensity_pct")) reply.intensity_pct = json["intensity_pct"].get<double>();
   if (number("mep_uv")) {
@@ -63,7 +65,6 @@ Reply replyFrom(const std::string& line) {
   const auto first = line.find_first_not_of(" \t\r");
   if (first != std::string::npos && line[first] == '{') return replyFromJson(line);
   std::istringstream words(line);
-  words.imbue(std::locale::classic());
   std::string answer, word;
   words >> answer;
   Reply reply;
@@ -72,16 +73,14 @@ Reply replyFrom(const std::string& line) {
   } else if (answer == "undo" || answer == "quit" || answer == "q") {
     reply.kind = answer == "undo" ? Reply::Kind::take_back : Reply::Kind::quit;
   } else {
-    std::istringstream number(answer);
-    number.imbue(std::locale::classic());
+    const auto mep_uv = numberIn(answer);
     reply.kind = Reply::Kind::mep;
-    if (!(number >> reply.mep_uv) || !number.eof() || !(words >> word) || (word != "uV" && word != "uv"))
-      refuse(line);
+    if (!mep_uv || !(words >> word) || (word != "uV" && word != "uv")) refuse(line);
+    reply.mep_uv = *mep_uv;
   }
   if (words >> word) {
-    double intensity_pct = 0;
-    if (word != "@" || !(words >> intensity_pct)) refuse(line);
-    reply.intensity_pct = intensity_pct;
+    std::string typed;
+    if (word != "@" || !(words >> typed) || !(reply.intensity_pct = numberIn(typed))) refuse(line);
   }
   return reply;
 }

@@ -8,6 +8,9 @@
 #include "commands/session_verb.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/track_recording.h"
+#include "json_output.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -24,13 +27,22 @@ void fillSession(const steps::TrackRequest& request, SessionVerb& session) {
 void treat(const SessionVerb& session, const std::filesystem::path& output, Context& context) {
   const auto outcome = runSession(session, context);
   casefile::writePoses(casefile::readPoses(outcome.session / "poses.csv"), output);
-  if (!context.is_quiet && !session.has_commands) printSession(outcome);
+  if (session.is_json || (!context.is_quiet && !session.has_commands)) printSession(outcome, session.is_json);
   requireWholeSession(outcome);
 }
 
-void track(const steps::TrackRequest& request, const std::filesystem::path& output, Context& context) {
+void track(const steps::TrackRequest& request, const std::filesystem::path& output, bool is_json,
+           Context& context) {
   const auto outcome = steps::trackRecording(context.registrations, request, context.monitor);
   casefile::writePoses(outcome.poses, output);
+  if (is_json)
+    return printJson({{"frames", outcome.frames},
+                      {"head_tracked", outcome.head_tracked},
+                      {"coil_tracked", outcome.coil_tracked},
+                      {"processing_ms_median", outcome.processing_ms_median},
+                      {"processing_ms_p99", outcome.processing_ms_p99},
+                      {"right_late_ms", outcome.right_late_ms},
+                      {"readout_ms", outcome.readout_ms}});
   if (context.is_quiet) return;
   std::printf("%d frames: head tracked in %d, coil in %d; %.1f ms a frame (median), %.1f ms (p99)\n",
               outcome.frames, outcome.head_tracked, outcome.coil_tracked, outcome.processing_ms_median,
@@ -61,13 +73,13 @@ void run(steps::TrackRequest request, SessionVerb session, const std::filesystem
          Context& context) {
   const bool is_live = !session.live.rig.empty();
   if (is_live == !request.recording.empty())
-    throw Error(is_live ? "a recording and --live are both given" : "it is not said what to track", {},
-                "give a RECORDING, or --live RIG");
+    throw WrongUsage(is_live ? "a recording and --live are both given" : "it is not said what to track",
+                     "give a RECORDING, or --live RIG");
   fillSession(request, session);
   if (is_live || !session.sources.empty()) return treat(session, output, context);
   const auto library = coil_library::coilLibrary(session.coil.library);
   if (!session.coil.words.empty()) request.coil_file = coil_library::coilFileOf(session.coil.words, library);
-  track(request, output, context);
+  track(request, output, session.is_json, context);
 }
 
 }  // namespace
@@ -95,15 +107,19 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
   verb->add_option("--head-tracker", request->head_tracker,
                    "method: " + steps::namesOf(context.registrations.head_trackers))
+      ->check(namedIn(context.registrations.head_trackers))
       ->capture_default_str();
   verb->add_option("--coil-tracker", request->coil_tracker,
                    "method: " + steps::namesOf(context.registrations.coil_trackers))
+      ->check(namedIn(context.registrations.coil_trackers))
       ->capture_default_str();
   verb->add_option("--aligner", request->aligner, "method: " + steps::namesOf(context.registrations.aligners))
+      ->check(namedIn(context.registrations.aligners))
       ->capture_default_str();
   addSessionOptions(*verb, *session);
   verb->add_option("--target", session->target, "of a session: the target; default: the case's first one");
   addPlaying(*verb, *session);
+  verb->add_flag("--json", session->is_json, "the result as JSON");
   verb->callback([&context, request, output, session] { run(*request, *session, *output, context); });
 }
 

@@ -2,18 +2,21 @@
 // labels, a case's import check, and the sign-off.
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/prepare/sign_off_gate.h"
+#include "json_output.h"
 #include "navigation_sheet.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
 
-nlohmann::ordered_json toJson(const casefile::WorklistEntry& entry) {
+using Json = nlohmann::ordered_json;
+
+Json toJson(const casefile::WorklistEntry& entry) {
   if (!entry.problem.empty()) return {{"folder", entry.folder.string()}, {"problem", entry.problem}};
   return {{"folder", entry.folder.string()},
           {"case_id", entry.case_id},
@@ -34,6 +37,49 @@ void print(const casefile::WorklistEntry& entry) {
               entry.label.empty() ? "" : "  ", entry.label.c_str());
 }
 
+/// Says who looked at the model and when, and whether that still holds.
+std::string signedInWords(const casefile::SignOffStatus& status) {
+  if (!status.last) return "not signed off";
+  std::string words = "signed off by " + status.last->by + " at " + status.last->utc;
+  if (!status.last->note.empty()) words += " (" + status.last->note + ")";
+  if (status.has_draft) words += "; void: a correction of the brain is unfinished";
+  for (const auto& file : status.changed)
+    words += (&file == &status.changed.front() ? "; void, changed since: " : ", ") + file;
+  return words;
+}
+
+Json signedJson(const casefile::SignOffStatus& status) {
+  if (!status.last) return nullptr;
+  return {{"by", status.last->by},
+          {"utc", status.last->utc},
+          {"note", status.last->note},
+          {"holds", status.holds()},
+          {"changed", status.changed},
+          {"has_draft", status.has_draft},
+          {"brain_ml", status.last->brain_ml ? Json(*status.last->brain_ml) : Json()}};
+}
+
+Json checkJson(const casefile::CaseStore& store) {
+  Json json{{"verdict", nullptr}, {"fit_for_navigation", Json::array()}, {"measures", Json::array()}};
+  if (const auto check = casefile::navigationCheckOf(store)) {
+    json["verdict"] = toString(check->verdict());
+    for (const auto& finding : check->findings)
+      json["fit_for_navigation"].push_back({{"topic", toString(finding.topic)},
+                                            {"verdict", toString(finding.verdict)},
+                                            {"finding", finding.finding},
+                                            {"ask", finding.ask}});
+    for (const auto& measure : check->measures)
+      json["measures"].push_back({{"name", measure.name},
+                                  {"value_mm", measure.value_mm},
+                                  {"uncertainty_mm", measure.uncertainty_mm},
+                                  {"is_lower_bound", measure.is_lower_bound},
+                                  {"is_usual", measure.isUsual()}});
+  }
+  json["findings"] = store.findings();
+  json["sign_off"] = signedJson(casefile::signOffStatus(store));
+  return json;
+}
+
 }  // namespace
 
 void addWorklist(CLI::App& app, Context& context) {
@@ -51,9 +97,9 @@ void addWorklist(CLI::App& app, Context& context) {
       for (const auto& entry : entries) print(entry);
       return;
     }
-    auto json = nlohmann::ordered_json::array();
+    auto json = Json::array();
     for (const auto& entry : entries) json.push_back(toJson(entry));
-    std::printf("%s\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    printJson(json);
   });
   (void)context;
 }
@@ -63,13 +109,16 @@ void addLabel(CLI::App& app, Context& context) {
   struct WorklistRequest {
     std::filesystem::path case_folder;
     std::optional<std::string> label;
+    bool is_json = false;
   };
   auto request = std::make_shared<WorklistRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("LABEL", request->label, "its new label; '' takes it away");
+  verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
     if (request->label) store.setLabel(*request->label);
+    if (request->is_json) return printJson({{"label", store.label()}});
     if (!context.is_quiet) std::printf("%s\n", store.label().c_str());
   });
 }
@@ -79,6 +128,7 @@ void addCheck(CLI::App& app, Context& context) {
   struct WorklistRequest {
     std::filesystem::path case_folder;
     casefile::SignOffRequest sign_off;
+    bool is_json = false;
   };
   auto request = std::make_shared<WorklistRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
@@ -87,21 +137,23 @@ void addCheck(CLI::App& app, Context& context) {
   verb->add_flag("--acknowledge-findings", request->sign_off.acknowledges_findings,
                  "every finding was looked at");
   verb->add_option("--note", request->sign_off.note, "kept with the sign-off");
+  verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
+    const bool is_signing = !request->sign_off.by.empty();
+    if (!is_signing && (request->sign_off.acknowledges_findings || !request->sign_off.note.empty()))
+      throw WrongUsage("no name given: say who checked the case", "give --by");
     const auto store = casefile::CaseStore::open(request->case_folder);
-    if (!context.is_quiet) {
+    if (!context.is_quiet && !request->is_json) {
       if (const auto check = casefile::navigationCheckOf(store)) printNavigationCheck(*check);
       for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
     }
-    if (request->sign_off.by.empty()) {
-      if (request->sign_off.acknowledges_findings || !request->sign_off.note.empty())
-        steps::signOffChecked(store, request->sign_off);  // throws: no name given
-      return;
+    if (is_signing) {
+      const auto sign_off = steps::signOffChecked(store, request->sign_off);
+      if (sign_off.brain_ml && !context.is_quiet && !request->is_json)
+        std::printf("brain: %.0f ml\n", *sign_off.brain_ml);
     }
-    const auto sign_off = steps::signOffChecked(store, request->sign_off);
-    if (context.is_quiet) return;
-    if (sign_off.brain_ml) std::printf("brain: %.0f ml\n", *sign_off.brain_ml);
-    std::printf("checked by %s at %s\n", sign_off.by.c_str(), sign_off.utc.c_str());
+    if (request->is_json) return printJson(checkJson(store));
+    if (!context.is_quiet) std::printf("%s\n", signedInWords(casefile::signOffStatus(store)).c_str());
   });
 }
 

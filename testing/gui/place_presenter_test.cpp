@@ -115,7 +115,7 @@ TEST(TypedCoordinates, ThatCanBeReadInTwoWaysAreRefusedInOneLine) {
     EXPECT_TRUE(read.fault.contains("comma")) << typed;
     EXPECT_FALSE(read.fault.contains('\n'));
   }
-  for (const char* typed : {"", "1 2", "1 2 3 4", "a,b,c", "nan 0 0"}) {
+  for (const char* typed : {"", "1 2", "1 2 3 4", "a,b,c", "nan 0 0", "inf 0 0", "1e30 0 0"}) {
     EXPECT_FALSE(readCoordinates(typed).mm) << typed;
     EXPECT_TRUE(readCoordinates(typed).fault.contains("three numbers")) << typed;
   }

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "facenav/casefile/case_store.h"
+#include "support/ball_case.h"
 #include "support/command_line.h"
 
 namespace facenav::testing {
@@ -53,8 +56,8 @@ TEST_F(BidsBatch, AFailureStaysAloneAndASecondRunGoesOn) {
 TEST_F(BidsBatch, TheSnakemakeWorkflowRunsEachParticipantAndGoesOnAfterAFailure) {
   if (std::system("command -v snakemake >/dev/null") != 0) GTEST_SKIP() << "snakemake is not installed";
   const fs::path program = folder_.path() / "stand_in", broken = folder_.path() / "broken";
-  std::ofstream(program) << "#!/bin/sh\necho \"$@\"\ncase \"$5\" in 02) test ! -e " << broken.string()
-                         << " ;; esac\n";
+  std::ofstream(program) << "#!/bin/sh\necho \"$@\" >>" << (folder_.path() / "calls").string()
+                         << "\necho \"$@\"\ncase \"$5\" in 02) test ! -e " << broken.string() << " ;; esac\n";
   fs::permissions(program, fs::perms::owner_all);
   for (const char* label : {"01", "02", "03"})
     std::ofstream(addImage(std::string("sub-") + label, std::string("sub-") + label)) << "a volume";
@@ -69,14 +72,61 @@ TEST_F(BidsBatch, TheSnakemakeWorkflowRunsEachParticipantAndGoesOnAfterAFailure)
   EXPECT_TRUE(fs::exists(output() / "logs/sub-01.done"));
   EXPECT_FALSE(fs::exists(output() / "logs/sub-02.done"));
   EXPECT_TRUE(fs::exists(output() / "logs/sub-03.done"));
-  EXPECT_FALSE(fs::exists(output() / "participants_table.txt"));
+  EXPECT_THAT(readText(output() / "participants_table.txt"), HasSubstr("--table")) << "written all the same";
 
   fs::remove(broken);
   const auto first = fs::last_write_time(output() / "logs/sub-01.done");
   EXPECT_EQ(workflow().status, 0);
   EXPECT_TRUE(fs::exists(output() / "logs/sub-02.done"));
   EXPECT_EQ(fs::last_write_time(output() / "logs/sub-01.done"), first) << "what is there is not done again";
-  EXPECT_THAT(readText(output() / "participants_table.txt"), HasSubstr("participant"));
+  EXPECT_THAT(readText(output() / "participants_table.txt"), HasSubstr("participant --table"));
+  std::istringstream calls(readText(folder_.path() / "calls"));
+  int runs = 0;
+  for (std::string call; std::getline(calls, call);) runs += call.find("--table") == std::string::npos;
+  EXPECT_EQ(runs, 4) << "01, 02, 03, then 02 again: no table runs anything";
+}
+
+TEST_F(BidsBatch, TheTableSaysWhatIsThereWithoutARun) {
+  casefile::CaseStore::create(
+      [&] {
+        fs::create_directories(output() / "sub-01");
+        return output() / "sub-01/case";
+      }(),
+      ballCase(), {}, false);
+  fs::create_directories(output() / "logs");
+  std::ofstream(output() / "logs/sub-02.log") << "facenav: no head in it\n";
+  for (const char* label : {"01", "02", "03"})
+    std::ofstream(addImage(std::string("sub-") + label, std::string("sub-") + label)) << "a volume";
+  const auto table = run("--table");
+  EXPECT_EQ(table.status, 1);
+  EXPECT_THAT(table.output, HasSubstr("no head in it"));
+  EXPECT_THAT(table.output, HasSubstr("0 prepared, 1 there already, 1 failed, 1 not run"));
+  EXPECT_FALSE(fs::exists(output() / "sub-03"));
+}
+
+/// Puts a stand-in for the tool beside a copy of facenav-bids: it waits, or finds that another run was first.
+TEST_F(BidsBatch, AKilledBatchEndsItsJobAndAFinishedSubjectIsNotFailed) {
+  const fs::path program = folder_.path() / "facenav-bids", tool = folder_.path() / "facenav";
+  fs::copy_file(FACENAV_BIDS, program);
+  std::ofstream(addImage("sub-01", "sub-01")) << "a volume";
+  std::ofstream(tool) << "#!/bin/sh\necho $$ >" << (folder_.path() / "pid").string() << "\nexec sleep 60\n";
+  fs::permissions(tool, fs::perms::owner_all);
+  const std::string arguments = dataset().string() + " " + output().string() + " participant";
+  const std::string pid = (folder_.path() / "pid").string();
+  const auto killed = runProgram(  // a process that has ended but was not waited for is dead, too
+      "/bin/sh", "-c '" + program.string() + " " + arguments + " & batch=$!; while test ! -s " + pid +
+                     "; do sleep 0.05; done; kill -9 $batch; sleep 0.5; "
+                     "grep -q \"^State:.[RSDT]\" /proc/$(cat " +
+                     pid + ")/status'");
+  EXPECT_NE(killed.status, 0) << "the job has ended with its batch";
+
+  const fs::path finished = folder_.path() / "finished";
+  casefile::CaseStore::create(finished, ballCase(), {}, false);
+  std::ofstream(tool) << "#!/bin/sh\nmv " << finished.string()
+                      << " $4\necho 'a case exists there already'\nexit 1\n";
+  const auto resumed = runProgram(program.string(), arguments);
+  EXPECT_EQ(resumed.status, 0) << resumed.output;
+  EXPECT_THAT(resumed.output, HasSubstr("0 prepared, 1 there already, 0 failed"));
 }
 
 TEST_F(BidsBatch, WrongInputIsOneLine) {

@@ -9,6 +9,7 @@
 
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/wrong_usage.h"
 
 namespace facenav::testing {
 namespace {
@@ -203,8 +204,8 @@ TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
 TEST_F(CommandLine, BrainOfWhatIsNotThereOrIsNoPlace) {
   expectRefused(runFacenav("brain " + at("none").string()), "none");
   for (const char* words : {"1,2,3", "1,2,3,x", "1,2,3,0", "1,2,3,4,5", "''"})
-    expectRefused(runFacenav("brain " + at("none").string() + " --add-sphere " + words), "RADIUS");
-  expectRefused(runFacenav("brain " + at("none").string() + " --grow 1,2"), "R,A,S");
+    expectWrongUsage("brain " + at("none").string() + " --add-sphere " + words, "RADIUS");
+  expectWrongUsage("brain " + at("none").string() + " --grow 1,2", "R,A,S");
 }
 
 TEST_F(CommandLine, BrainIsCorrectedAndTheCorrectionTakenBack) {
@@ -290,7 +291,8 @@ TEST_F(CommandLine, AlignOfAMissingCase) {
 }
 
 TEST_F(CommandLine, SimulateOfAnUnknownScenarioListsTheKnown) {
-  expectRefused(runFacenav("simulate nonsense -o " + at("rec").string()), "treatment", at("rec"));
+  expectWrongUsage("simulate nonsense -o " + at("rec").string(), "treatment");
+  EXPECT_FALSE(fs::exists(at("rec")));
 }
 
 }  // namespace

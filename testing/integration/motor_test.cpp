@@ -126,8 +126,8 @@ TEST_F(Motor, HotspotAndThresholdComeFromASessionsPulses) {
 
 TEST_F(Motor, NotesStandAmongTheEventsAndInTheReport) {
   const fs::path session = treat(case_);
-  EXPECT_EQ(runFacenav("note " + atCase()).status, 1) << "nothing to note";
-  EXPECT_EQ(runFacenav("note " + atCase() + " --pain-before 11").status, 1);
+  EXPECT_EQ(runFacenav("note " + atCase()).status, 2) << "nothing to note";
+  EXPECT_EQ(runFacenav("note " + atCase() + " --pain-before 11").status, 2);
   ASSERT_EQ(
       runFacenav("note " + atCase() + " --pain-before 6 --pain-after 3.5 --adverse-event 'mild headache'")
           .status,

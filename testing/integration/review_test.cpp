@@ -92,7 +92,7 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_EQ(std::count(shown.output.begin(), shown.output.end(), '\n'), 16) << "no pulse was deleted";
   EXPECT_THAT(run("pulses " + at_case + " --json").output, HasSubstr("\"note\": \"coil moved\""));
   EXPECT_EQ(run("pulses " + at_case + " --exclude 99 --reason why").status, 1);
-  EXPECT_EQ(run("pulses " + at_case + " --exclude 5").status, 1) << "without a reason";
+  EXPECT_EQ(run("pulses " + at_case + " --exclude 5").status, 2) << "without a reason";
 
   const fs::path page = folder_.path() / "report.html";
   ASSERT_EQ(run("report " + at_case + " -o '" + page.string() + "'").status, 0);
@@ -121,8 +121,10 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
   EXPECT_EQ(casefile::readSessionPulses(session_).pulses[1].pulse.mep_uv, 350);
   EXPECT_EQ(run(pulses + "--set-mep 2=").status, 0);
   EXPECT_FALSE(casefile::readSessionPulses(session_).pulses[1].pulse.mep_uv);
-  for (const char* wrong : {"2:350", "two=350", "99=350", "2=-4"})
-    EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 1) << wrong;
+  for (const char* wrong : {"2:350", "two=350", "2=nan", "2=1e30"})
+    EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 2) << wrong;
+  for (const char* absent : {"99=350", "2=-4"})
+    EXPECT_EQ(run(pulses + "--set-mep " + absent).status, 1) << absent;
 }
 
 TEST_F(Review, TwoSessionsAreComparedByTheirMeanCoilPose) {

@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "shell/typed_number.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -15,8 +17,12 @@ TypedCoordinates refused(const QString& why) { return {std::nullopt, why}; }
 TypedCoordinates readNumbers(const QStringList& parts) {
   Eigen::Vector3d mm;
   bool is_number = parts.size() == 3;
-  for (int i = 0; i < 3 && is_number; ++i) mm[i] = parts[i].toDouble(&is_number);
-  if (is_number && mm.allFinite()) return {mm, {}};
+  for (int i = 0; i < 3 && is_number; ++i) {
+    const auto number = typedNumber(parts[i]);
+    is_number = number.has_value();
+    mm[i] = number.value_or(0);
+  }
+  if (is_number) return {mm, {}};
   return refused(tr("three numbers in mm are expected, such as -38 -22 56"));
 }
 
@@ -36,7 +42,7 @@ std::optional<double> readNumber(const QString& typed, const QString& unit) {
   if (text.endsWith(unit)) text = text.left(text.size() - unit.size()).trimmed();
   text.replace(QChar(0x2212), '-');
   if (!kNumber.match(text).hasMatch()) return std::nullopt;
-  return text.replace(',', '.').toDouble();
+  return typedNumber(text);
 }
 
 TypedCoordinates readCoordinates(const QString& typed) {

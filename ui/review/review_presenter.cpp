@@ -11,6 +11,7 @@
 #include "facenav/review/mep_import.h"
 #include "facenav/review/pulse_pictures.h"
 #include "shell/report_pdf.h"
+#include "shell/typed_number.h"
 
 namespace facenav::ui {
 namespace {
@@ -158,13 +159,12 @@ void ReviewPresenter::include(const std::vector<int>& numbers, const QString& by
 void ReviewPresenter::typeMep(int number, const QString& typed) {
   attempt([&] {
     const QString text = typed.trimmed();
-    bool is_number = true;
-    const double value_uv = text.isEmpty() ? 0.0 : QString(text).replace(',', '.').toDouble(&is_number);
-    if (!is_number)
+    const auto value_uv = typedNumber(text);
+    if (!value_uv && !text.isEmpty())
       throw Error("'" + text.toStdString() + "' is no number", "MEP",
                   "type microvolts, as 350; empty: not known");
     casefile::MepEdit edit{number, {}, {}, "typed", ""};
-    if (!text.isEmpty()) edit.mep_uv = value_uv;
+    edit.mep_uv = value_uv;
     for (const auto& reviewed : session_->kept.pulses.pulses)
       if (reviewed.pulse.number == number) edit.latency_ms = reviewed.pulse.latency_ms;
     editor_.setMeps({edit});

@@ -14,6 +14,7 @@
 #include "review/pulses_page.h"
 #include "review/replay_page.h"
 #include "review/sessions_panel.h"
+#include "shell/typed_number.h"
 
 namespace facenav::ui {
 
@@ -104,9 +105,7 @@ void ReviewWorkspace::chooseMeps() {
       this, tr("Offset of the clocks"), tr("Seconds from the file's clock to the session's; empty: find it"),
       QLineEdit::Normal, {}, &is_given);
   if (!is_given) return;
-  bool is_number = false;
-  const double offset_s = words.trimmed().replace(',', '.').toDouble(&is_number);
-  presenter_.importMeps(file, is_number ? std::optional(offset_s) : std::nullopt);
+  presenter_.importMeps(file, typedNumber(words));
 }
 
 void ReviewWorkspace::showState() {

@@ -22,6 +22,7 @@ std::shared_ptr<LoadedCase> loadCase(const std::filesystem::path& folder, TaskMo
   if (auto brain = store.brain()) loaded->brain = std::make_shared<surface::BrainModel>(std::move(*brain));
   loaded->findings = store.findings();
   loaded->plan = store.targets();
+  for (const auto& fault : loaded->plan.damaged) loaded->findings.push_back(fault);
   loaded->atlas = store.atlas();
   loaded->coil = casefile::coilOf(folder);
   loaded->sign_off = casefile::signOffStatus(store);

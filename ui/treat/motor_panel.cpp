@@ -11,16 +11,10 @@
 #include <vector>
 
 #include "shell/appearance.h"
+#include "shell/typed_number.h"
 
 namespace facenav::ui {
 namespace {
-
-/// Reads a number with a decimal point or comma; returns nothing for other text.
-std::optional<double> numberIn(const QString& text) {
-  bool is_number = false;
-  const double value = QString(text.trimmed()).replace(',', '.').toDouble(&is_number);
-  return is_number ? std::optional(value) : std::nullopt;
-}
 
 QWidget* rowOf(QWidget* parent, const std::vector<QWidget*>& widgets, QWidget* stretched) {
   auto* widget = new QWidget(parent);
@@ -123,7 +117,7 @@ QWidget* MotorPanel::makeHunt() {
 }
 
 void MotorPanel::takeIntensity() {
-  const auto typed = numberIn(output_->text());
+  const auto typed = typedNumber(output_->text());
   const bool is_output = typed && *typed >= 0 && *typed <= 100;
   if (is_output && typed != treat_.intensity()) treat_.setIntensity(typed);
   if (output_->text().trimmed().isEmpty()) treat_.setIntensity(std::nullopt);
@@ -131,7 +125,7 @@ void MotorPanel::takeIntensity() {
 }
 
 void MotorPanel::takeTyped() {
-  const auto mep_uv = numberIn(mep_->text());
+  const auto mep_uv = typedNumber(mep_->text());
   if (!mep_uv) return;
   mep_->clear();
   motor_.answerWithMep(*mep_uv);

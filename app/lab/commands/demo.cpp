@@ -8,6 +8,7 @@
 #include "demo/demo_run.h"
 #include "demo/virtual_patient_files.h"
 #include "facenav/scene/display.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 namespace {
@@ -30,7 +31,9 @@ void addDemo(CLI::App& app, Context& context) {
   auto stays_closed = std::make_shared<bool>(false);
   auto only_patient = std::make_shared<bool>(false);
   request->folder = "facenav_demo";
-  verb->add_option("-o,--output", request->folder, "folder for the result")->capture_default_str();
+  verb->add_option("-o,--output", request->folder, "folder for the result")
+      ->check(folderToMake())
+      ->capture_default_str();
   verb->add_option("--seed", request->seed, "of the room's motion and noise")->capture_default_str();
   verb->add_option("--frames", request->frames, "length of the treatment (0: the scenario's own)")
       ->check(CLI::Range(0, 100000));

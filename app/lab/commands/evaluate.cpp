@@ -16,6 +16,8 @@
 #include "facenav/guidance/hand_knob.h"
 #include "result_folder.h"
 #include "settings.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -202,12 +204,15 @@ void addPlan(CLI::App& verb, EvaluateRequest& request) {
 void addMethods(CLI::App& verb, EvaluateRequest& request, const Context& context) {
   verb.add_option("--aligner", request.methods.aligner,
                   "method: " + steps::namesOf(context.registrations.aligners))
+      ->check(namedIn(context.registrations.aligners))
       ->capture_default_str();
   verb.add_option("--head-tracker", request.methods.head_tracker,
                   "method: " + steps::namesOf(context.registrations.head_trackers))
+      ->check(namedIn(context.registrations.head_trackers))
       ->capture_default_str();
   verb.add_option("--coil-tracker", request.methods.coil_tracker,
                   "method: " + steps::namesOf(context.registrations.coil_trackers))
+      ->check(namedIn(context.registrations.coil_trackers))
       ->capture_default_str();
 }
 
@@ -215,8 +220,14 @@ void addMethods(CLI::App& verb, EvaluateRequest& request, const Context& context
 void runRequested(Context& context, EvaluateRequest& request) {
   if (!request.recordings.empty()) {
     if (request.room.heads.size() != 1 || request.room.heads.front() == "patient")
-      throw Error("a recording is measured in one case", {}, "add --case CASE");
+      throw WrongUsage("a recording is measured in one case", "add --case CASE");
     request.case_folder = request.room.heads.front();
+    for (const auto& folder : request.recordings) recordedSequence(folder);  // each can be opened
+  } else {
+    requireUnderstood([&] {
+      plannedRuns(request.room);
+      for (const auto& head : request.room.heads) requireKnownHead(head);
+    });
   }
   runEvaluate(context, request);
 }
@@ -237,6 +248,7 @@ void addEvaluate(CLI::App& app, Context& context) {
                    "target of the case to measure at, with --recording (default: the first)");
   addMethods(*verb, *request, context);
   verb->add_option("-o,--output", request->output, "folder for report.html, evaluation.csv, evaluation.md")
+      ->check(folderToMake())
       ->capture_default_str();
   addEvaluatePrepare(*verb, context);
   addEvaluateRigs(*verb, context);

@@ -9,6 +9,8 @@
 #include "evaluate/scratch_folder.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -33,7 +35,7 @@ std::vector<room::WorldFault> faultsOf(const std::string& word) {
     names += ", " + room::nameOf(fault);
   }
   if (word == "all") return all;
-  throw Error("no fault of this name", word, "one of: " + names);
+  throw WrongUsage("no fault is called '" + word + "'", "one of: " + names);
 }
 
 /// Seeds from the first one on; only even or odd ones where asked.
@@ -85,10 +87,10 @@ void addTrial(Context& context, GateHeads& heads, const GatesRequest& request, s
 }
 
 void runGates(Context& context, const GatesRequest& request) {
-  GateHeads heads(context, request.labels);
-  GateFiles files(request.output);
-  const auto seeds = seedsOf(request);
   const auto faults = faultsOf(request.fault);
+  GateFiles files(request.output);
+  GateHeads heads(context, request.labels);
+  const auto seeds = seedsOf(request);
   std::vector<GateRow> rows;
   double done = 0;
   for (const auto seed : seeds)
@@ -125,7 +127,8 @@ void addEvaluateGates(CLI::App& evaluate, Context& context) {
                    "folder of labelled heads (else FACENAV_SHARED_DATA/head_labels)");
   verb->add_flag("--keep", request->keeps_pictures,
                  "keep each world's recording and case in the output folder");
-  verb->add_option("-o,--output", request->output, "folder for worlds.csv and worlds.md");
+  verb->add_option("-o,--output", request->output, "folder for worlds.csv and worlds.md")
+      ->check(folderToMake());
   verb->callback([&context, request] { runGates(context, *request); });
 }
 

@@ -6,6 +6,7 @@
 #include "commands/lab_commands.h"
 #include "evaluate/face_to_face.h"
 #include "evaluate/person_pairs.h"
+#include "typed_values.h"
 
 namespace facenav::app {
 
@@ -23,6 +24,7 @@ void addEvaluatePairs(CLI::App& evaluate, Context& context) {
       ->check(CLI::ExistingDirectory);
   verb->add_option("--head-tracker", *method,
                    "method: " + steps::namesOf(context.registrations.head_trackers))
+      ->check(namedIn(context.registrations.head_trackers))
       ->capture_default_str();
   auto is_aligned_only = std::make_shared<bool>(false);
   verb->add_flag("--align", *is_aligned_only,

@@ -8,6 +8,8 @@
 #include "evaluate/synthetic_prepare.h"
 #include "facenav/core/whole_file.h"
 #include "result_folder.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -31,8 +33,8 @@ std::vector<PrepareTrial> trialsOf(const EvaluatePrepareRequest& request) {
   for (const auto& [volume, mask] : request.with_fluid) trials.push_back({volume, mask, true, 0});
   for (const auto& volume : request.volumes) trials.push_back({volume, std::nullopt, false, 0});
   if (trials.empty())
-    throw Error("no volume is given", {},
-                "add --tissue VOLUME MASK, --with-fluid VOLUME MASK, --volume VOLUME or --synthetic N");
+    throw WrongUsage("no volume is given",
+                     "add --tissue VOLUME MASK, --with-fluid VOLUME MASK, --volume VOLUME or --synthetic N");
   return trials;
 }
 
@@ -85,6 +87,7 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
       ->capture_default_str();
   verb->add_option("--method", request->evaluation.methods,
                    "brain segmentation: " + steps::namesOf(context.registrations.brain_segmenters))
+      ->check(namedIn(context.registrations.brain_segmenters))
       ->delimiter(',')
       ->capture_default_str();
   verb->add_flag("--perturb", request->evaluation.is_perturbed,
@@ -108,7 +111,8 @@ void addEvaluatePrepare(CLI::App& evaluate, Context& context) {
       ->capture_default_str();
   verb->add_flag("--no-whole", request->has_no_whole, "leave out the run of 'facenav prepare' as a whole");
   verb->add_option("--seed", request->evaluation.seed, "of noise and bias fields")->capture_default_str();
-  verb->add_option("-o,--output", request->output, "folder for prepare.md, masks.csv, perturbations.csv");
+  verb->add_option("-o,--output", request->output, "folder for prepare.md, masks.csv, perturbations.csv")
+      ->check(folderToMake());
   verb->callback([&context, request] { run(context, *request); });
 }
 

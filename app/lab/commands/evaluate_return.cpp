@@ -6,6 +6,8 @@
 #include "commands/lab_commands.h"
 #include "evaluate/return_run.h"
 #include "facenav/core/whole_file.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 
@@ -36,12 +38,16 @@ void addEvaluateReturn(CLI::App& evaluate, Context& context) {
           "only first visits with a projector (dots), or only those without (plain); default: both")
       ->check(CLI::IsMember({"dots", "plain"}));
   verb->add_option("-o,--output", request->output, "folder for returns.md and returns.csv")
+      ->check(folderToMake())
       ->capture_default_str();
   verb->callback([&context, request] {
+    requireUnderstood([&] {
+      for (const auto& spec : request->heads) requireKnownHead(spec);
+    });
+    std::filesystem::create_directories(request->output);
     std::vector<EvaluationHead> heads;
     for (const auto& spec : request->heads) heads.push_back(makeEvaluationHead(context, spec));
     std::vector<ReturnRun> runs;
-    std::filesystem::create_directories(request->output);
     for (std::size_t i = 0; i < heads.size(); ++i) {
       const EvaluationHead* other = heads.size() > 1 ? &heads[(i + 1) % heads.size()] : nullptr;
       for (auto& run : runReturns(context, heads[i], other, request->run)) runs.push_back(std::move(run));

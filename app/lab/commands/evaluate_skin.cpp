@@ -4,6 +4,7 @@
 
 #include "commands/lab_commands.h"
 #include "evaluate/skin_evaluation.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 
@@ -21,7 +22,7 @@ void addEvaluateSkin(CLI::App& evaluate, Context& context) {
   verb->add_option("--seed", request->seed, "of shading and textures")->capture_default_str();
   verb->callback([&context, request] {
     if (request->volumes.empty() && request->labels.empty())
-      throw Error("no scan is given", {}, "give a NIfTI file or --labels HEAD");
+      throw WrongUsage("no scan is given", "give a NIfTI file or --labels HEAD");
     std::printf("%s", skinMarkdown(evaluateSkin(context, *request)).c_str());
   });
 }

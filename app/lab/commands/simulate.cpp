@@ -5,10 +5,13 @@
 #include "commands/lab_commands.h"
 #include "commands/option_flags.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/whole_folder.h"
 #include "facenav/room/minc_volume.h"
 #include "facenav/room/simulate.h"
 #include "facenav/volume/nifti.h"
 #include "room_patient.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -31,6 +34,8 @@ volume::Volume cachedPatient(const Context& context) {
 }
 
 void run(Context& context, const SimulateRequest& request) {
+  requireUnderstood([&] { room::resolved(request.options); });  // before the seconds that the patient takes
+  const WholeFolder place(request.output);                      // it is free and can be written to
   std::optional<RigidTransform<Mri, frames::Target>> target;
   std::shared_ptr<const room::VirtualPatient> patient;
   if (request.case_folder) {
@@ -66,7 +71,9 @@ void addSimulate(CLI::App& app, Context& context) {
   verb->add_option("--target", request->target,
                    "name of the case's target the coil is brought to (default: the first)")
       ->needs(of_case);
-  verb->add_option("-o,--output", request->output, "recording folder to write")->required();
+  verb->add_option("-o,--output", request->output, "recording folder to write")
+      ->required()
+      ->check(folderToMake());
   room::ScenarioOptions::visit(request->options, FlagVisitor{*verb});
   room::PatientOptions::visit(request->patient_options, FlagVisitor{*verb, "patient-"});
   verb->callback([&context, request] { run(context, *request); });

@@ -121,10 +121,19 @@ std::string headVariants() {
   return names;
 }
 
-EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
+void requireKnownHead(const std::string& spec) {
   const auto words = split(spec, ':');
   if (words.empty())
     throw Error("no head was named", spec, "say: patient, colin27, a NIfTI file or a case folder");
+  for (auto word = words.begin() + 1; word != words.end(); ++word) variantOf(*word);
+  const std::string& base = words.front();
+  if (base != "patient" && base != "colin27" && !fs::exists(base))
+    throw Error("there is no such head", base, "say: patient, colin27, a NIfTI file or a case folder");
+}
+
+EvaluationHead makeEvaluationHead(Context& context, const std::string& spec) {
+  requireKnownHead(spec);
+  const auto words = split(spec, ':');
   EvaluationHead head;
   head.name = spec;
   head.is_unseen = words.front() != "patient";

@@ -29,6 +29,9 @@ struct EvaluationHead {
 /// "nose" if no face is found.
 EvaluationHead makeEvaluationHead(Context& context, const std::string& spec);
 
+/// Throws Error if `spec` names no head or an unknown variant; the head itself is not read.
+void requireKnownHead(const std::string& spec);
+
 /// Names of the variants, for help texts.
 std::string headVariants();
 

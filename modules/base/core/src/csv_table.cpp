@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <sstream>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav {
@@ -102,11 +102,9 @@ const std::string& CsvTable::text(std::size_t row, std::size_t column) const {
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::string& field = text(row, column);
-  double value = 0.0;
-  const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (fault != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
-    refuse(row, "'" + field.substr(0, 40) + "' in column '" + header_[column] + "' is no number");
-  return value;
+  const auto value = numberIn(field);
+  if (!value) refuse(row, "'" + field.substr(0, 40) + "' in column '" + header_[column] + "' is no number");
+  return *value;
 }
 
 std::int64_t CsvTable::integer(std::size_t row, std::size_t column) const {

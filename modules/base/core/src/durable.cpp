@@ -1,6 +1,7 @@
 #include "durable.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -45,6 +46,33 @@ fs::path temporaryBeside(const fs::path& path) {
     throw Error("folder is not writable", folder.string(), "choose another");
   return folder / (".tmp" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + "_" +
                    path.filename().string());
+}
+
+fs::path placeOf(const fs::path& path) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(what, path.string(), "choose another place ('-o -' writes a file to standard output)");
+  };
+  std::error_code fault;
+  fs::path place = path;
+  if (fs::is_symlink(fs::symlink_status(path, fault))) {
+    place = fs::canonical(path, fault);
+    if (fault) refuse("is a link that leads nowhere");
+  }
+  const auto status = fs::status(place, fault);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+    refuse("is neither a file nor a folder, and is not replaced");
+  for (const auto& each : {path, place}) {
+    const std::string whole = fs::absolute(each, fault).lexically_normal().string();
+    const auto isIn = [&](const char* folder) { return whole.rfind(folder, 0) == 0; };
+    if ((isIn("/dev/") && !isIn("/dev/shm/")) || isIn("/proc/") || isIn("/sys/"))
+      refuse("belongs to the system, and is not replaced");
+  }
+  return place;
+}
+
+void setMode(const fs::path& path, unsigned mode) {
+  if (::chmod(path.c_str(), mode_t(mode)) == 0 || errno == EPERM || errno == ENOTSUP) return;
+  refuseWriting(path);
 }
 
 void refuseWriting(const fs::path& path) {

@@ -13,6 +13,13 @@ std::filesystem::path parentOf(const std::filesystem::path& path);
 /// A hidden name beside `path` that no other process uses. It keeps everything after the first dot, since
 /// writers choose the format by extension. Throws Error if the parent folder is missing or not writable.
 std::filesystem::path temporaryBeside(const std::filesystem::path& path);
+/// The place that a write to `path` fills: behind a link the file or folder that it leads to. Throws Error if
+/// something is there that is neither a file nor a folder (a device, a pipe), if a link leads nowhere, or for
+/// a path in /dev, /proc or /sys.
+std::filesystem::path placeOf(const std::filesystem::path& path);
+/// Gives the file or folder this mode. A file system that keeps no modes (a USB stick) is left as it is.
+/// Throws Error.
+void setMode(const std::filesystem::path& path, unsigned mode);
 /// Throws Error("cannot be written (<errno>)", path, remedy).
 [[noreturn]] void refuseWriting(const std::filesystem::path& path);
 /// fsync of one file. Throws Error.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav {
@@ -89,6 +90,7 @@ double JsonReader::number() const {
   if (!json(node_).is_number()) refuse("a number was expected");
   const double value = json(node_).get<double>();
   if (!std::isfinite(value)) refuse("a finite number was expected");
+  if (!isUsableNumber(value)) refuse("the number is too large");
   return value;
 }
 

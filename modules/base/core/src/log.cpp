@@ -3,6 +3,9 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <mutex>
+#include <set>
+
 namespace facenav {
 inline namespace core {
 namespace {
@@ -20,6 +23,12 @@ spdlog::logger& logger() {
 
 void logInfo(const std::string& message) { logger().info(message); }
 void logWarning(const std::string& message) { logger().warn(message); }
+void logWarningOnce(const std::string& message) {
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (told.insert(message).second) logWarning(message);
+}
 void setLogQuiet(bool is_quiet) { logger().set_level(is_quiet ? spdlog::level::warn : spdlog::level::info); }
 
 }  // namespace core

@@ -2,7 +2,9 @@
 
 #include <locale.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -48,6 +50,29 @@ std::string formatted(const char* format, ...) {
   if (length > 0) std::vsnprintf(text.data(), text.size() + 1, format, again);
   va_end(again);
   return text;
+}
+
+bool isUsableNumber(double value) { return std::isfinite(value) && std::abs(value) <= kLargestNumber; }
+
+std::optional<double> numberIn(const std::string& text) {
+  const char *begin = text.data(), *end = begin + text.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0;
+  const auto [stop, fault] = std::from_chars(begin, end, value);
+  if (begin == end || fault != std::errc() || stop != end || !isUsableNumber(value)) return std::nullopt;
+  return value;
+}
+
+std::vector<double> numbersIn(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = numberIn(text.substr(begin, end - begin));
+    if (!number) return {};
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 }  // namespace core

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
@@ -15,13 +13,6 @@ inline namespace core {
 namespace {
 
 std::string afterPoint(const std::string& key) { return key.substr(key.find('.') + 1); }
-
-/// Parses the whole text as a finite number with a decimal point, in any locale.
-bool isNumber(const std::string& text, double& value) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  return !text.empty() && stream >> value && stream.eof() && std::isfinite(value);
-}
 
 }  // namespace
 
@@ -80,11 +71,11 @@ void SettingsTable::setByText(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw Error("'" + assignment + "' is not written as module.name=value", "--set");
-  double value = 0;
-  if (!isNumber(assignment.substr(equals + 1), value))
+  const auto value = numberIn(assignment.substr(equals + 1));
+  if (!value)
     throw Error("'" + assignment.substr(equals + 1) + "' is no number", "--set " + assignment,
                 "write it with a decimal point and without its unit");
-  set(assignment.substr(0, equals), value, "--set " + assignment);
+  set(assignment.substr(0, equals), *value, "--set " + assignment);
 }
 
 void SettingsTable::readFile(const std::filesystem::path& json) {

@@ -1,7 +1,6 @@
 #include "facenav/core/whole_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +9,7 @@
 
 #include "durable.h"
 #include "facenav/core/error.h"
+#include "facenav/core/standard_output.h"
 
 namespace facenav {
 inline namespace core {
@@ -22,10 +22,22 @@ void makeEmptyPrivate(const fs::path& temporary, const fs::path& path) {
   ::close(descriptor);
 }
 
+/// The file that is written, behind links; for standard output a file that passes through it.
+fs::path placeOfFile(const fs::path& path) {
+  if (isStandardOutput(path)) return fs::temp_directory_path() / "output";
+  const fs::path place = placeOf(path);
+  if (fs::is_directory(place))
+    throw Error("is a folder, a file is written here", path.string(), "choose another place");
+  return place;
+}
+
 }  // namespace
 
 WholeFile::WholeFile(fs::path path, FileAccess access)
-    : path_(std::move(path)), temporary_(temporaryBeside(path_)), access_(access) {
+    : path_(std::move(path)),
+      place_(placeOfFile(path_)),
+      temporary_(temporaryBeside(place_)),
+      access_(isStandardOutput(path_) ? FileAccess::owner_only : access) {
   if (access_ == FileAccess::owner_only) makeEmptyPrivate(temporary_, path_);
 }
 
@@ -43,15 +55,16 @@ void WholeFile::commit() {
 }
 
 void WholeFile::publish() {
+  if (isStandardOutput(path_)) return copyToStandardOutput(temporary_);  // the destructor removes it
   // A writer may have created a new file under this name.
-  if (access_ == FileAccess::owner_only && ::chmod(temporary_.c_str(), 0600) != 0) refuseWriting(path_);
+  if (access_ == FileAccess::owner_only) setMode(temporary_, 0600);
   syncFile(temporary_);
   std::error_code error;
-  fs::rename(temporary_, path_, error);
+  fs::rename(temporary_, place_, error);
   if (error)
     throw Error("cannot be written (" + error.message() + ")", path_.string(), "choose another place");
   is_committed_ = true;
-  syncNamesIn(parentOf(path_));
+  syncNamesIn(parentOf(place_));
 }
 
 void writeWholeFile(const fs::path& path, const std::string& content, FileAccess access) {

@@ -8,6 +8,7 @@
 
 #include "durable.h"
 #include "facenav/core/error.h"
+#include "facenav/core/standard_output.h"
 
 namespace facenav {
 inline namespace core {
@@ -26,8 +27,7 @@ bool isTaken(const fs::path& folder) {
 
 void makePrivate(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_symlink() && ::chmod(entry.path().c_str(), entry.is_directory() ? 0700 : 0600) != 0)
-      refuseWriting(entry.path());
+    if (!entry.is_symlink()) setMode(entry.path(), entry.is_directory() ? 0700 : 0600);
 }
 
 /// Moves the old folder aside first, for file systems that cannot swap two folders.
@@ -55,10 +55,20 @@ void replace(const fs::path& fresh, const fs::path& folder) {
   }
 }
 
+/// The folder that is filled, behind links.
+fs::path placeOfFolder(const fs::path& folder) {
+  if (isStandardOutput(folder))
+    throw Error("a folder cannot be written to standard output", {}, "give the folder a name");
+  const fs::path place = placeOf(folder);
+  if (fs::exists(place) && !fs::is_directory(place))
+    throw Error("is a file, a folder is written here", folder.string(), "choose another place");
+  return place;
+}
+
 }  // namespace
 
 WholeFolder::WholeFolder(const fs::path& folder, FileAccess access, Existing existing)
-    : folder_(withoutLastSlash(folder)), access_(access), existing_(existing) {
+    : folder_(placeOfFolder(withoutLastSlash(folder))), access_(access), existing_(existing) {
   if (existing_ == Existing::refuse && isTaken(folder_))
     throw Error("exists already and is not empty", folder_.string(), "choose another folder or remove it");
   temporary_ = temporaryBeside(folder_);
@@ -88,7 +98,7 @@ void makePrivateFolder(const fs::path& folder) {
 
 void makePrivateAndDurable(const fs::path& folder) {
   makePrivate(folder);
-  if (::chmod(folder.c_str(), 0700) != 0) refuseWriting(folder);
+  setMode(folder, 0700);
   syncAllIn(folder);
 }
 

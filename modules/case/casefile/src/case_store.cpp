@@ -10,6 +10,7 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/navigation_check_file.h"
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/volume/nifti.h"
 #include "utc_now.h"
@@ -130,7 +131,9 @@ void keepFromOld(const fs::path& old_case, const fs::path& fresh, const volume::
 
 bool hasTargets(const fs::path& folder) {
   const fs::path file = folder / "targets.json";
-  return fs::exists(file) && !guidance::readTargets(file).targets.empty();
+  if (!fs::exists(file)) return false;
+  const auto plan = guidance::readTargets(file);
+  return !plan.targets.empty() || !plan.damaged.empty();
 }
 
 }  // namespace
@@ -304,7 +307,9 @@ std::optional<atlas::AtlasMap> CaseStore::atlas() const {
 
 guidance::TreatmentPlan CaseStore::targets() const {
   if (!fs::exists(folder_ / "targets.json")) return {};
-  return guidance::readTargets(folder_ / "targets.json");
+  auto plan = guidance::readTargets(folder_ / "targets.json");
+  for (const auto& fault : plan.damaged) logWarningOnce(fault);
+  return plan;
 }
 
 void CaseStore::setTargets(const guidance::TreatmentPlan& plan) const {

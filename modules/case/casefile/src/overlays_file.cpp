@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
+#include "facenav/core/plain_words.h"
 #include "facenav/core/whole_file.h"
 
 namespace facenav::casefile {
@@ -86,7 +87,8 @@ void writeOverlays(const std::vector<OverlayEntry>& entries, const fs::path& cas
   std::set<std::string> names;
   for (const OverlayEntry& entry : entries) {
     requireSensible(entry);
-    if (entry.name.empty() || !names.insert(entry.name).second)
+    requireName(entry.name, "the overlay's name");
+    if (!names.insert(entry.name).second)
       throw Error("there is an overlay '" + entry.name + "' already", {}, "give another name");
     list.push_back({{"name", entry.name},
                     {"kind", toString(entry.kind)},

@@ -7,6 +7,7 @@
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
+#include "facenav/core/plain_words.h"
 #include "facenav/core/whole_file.h"
 #include "utc_now.h"
 
@@ -19,6 +20,8 @@ constexpr char kSignOffFile[] = "sign_off.json";
 void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
   if (request.by.empty())
     throw Error("no name given: say who checked the case", {}, "give a name or initials");
+  requireName(request.by, "the name of who checked it");
+  requireNote(request.note, "the note");
   if (findings.empty() || request.acknowledges_findings) return;
   throw Error(
       std::to_string(findings.size()) + " finding(s) are not acknowledged, the first: " + findings.front(),
@@ -167,6 +170,8 @@ void recordOverride(const CaseStore& store, const std::string& by, const std::st
                     const std::string& software_version) {
   if (by.empty() || reason.empty())
     throw Error("an override needs a name and a reason", {}, "give both, or have the case checked");
+  requireName(by, "the name of who overrides");
+  requireNote(reason, "the reason");
   store.addProvenance(
       {"override", software_version, {{"by", by}, {"reason", reason}, {"utc", utcNow()}}, {}});
 }

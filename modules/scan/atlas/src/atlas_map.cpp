@@ -19,6 +19,7 @@ AtlasMap::AtlasMap(const Eigen::Affine3d& mri_from_mni, const volume::VoxelGrid&
 /// Interpolates linearly between nodes. Beyond the grid the value at its edge is used, so that the map stays
 /// continuous and invertible.
 Eigen::Vector3d AtlasMap::displacementAt(const Eigen::Vector3d& mni_mm) const {
+  if (!mni_mm.allFinite()) return Eigen::Vector3d::Zero();  // no place: the answer is none either
   const Eigen::Array3d last =
       Eigen::Array3i(grid_.size[0], grid_.size[1], grid_.size[2]).cast<double>() - 1.0;
   const Eigen::Array3d at = (voxel_from_mni_ * mni_mm).array().max(0.0).min(last);

@@ -49,6 +49,8 @@ BrainTemplate readColin27(const fs::path& folder) {
 Label labelAt(const LabelMap& map, const Point<Mni>& p, double search_mm) {
   const auto& grid = map.labels.grid;
   const Eigen::Vector3d at = grid.mri_from_voxel.inverse() * p.mm, spacing_mm = grid.spacing_mm();
+  constexpr double kMostVoxels = 1e6;
+  if (!at.allFinite() || at.cwiseAbs().maxCoeff() > kMostVoxels) return {};
   const Eigen::Array3i reach = (search_mm / spacing_mm.array()).ceil().cast<int>();
   const Eigen::Array3i centre = at.array().round().cast<int>();
   Label nearest;

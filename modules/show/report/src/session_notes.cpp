@@ -4,6 +4,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/plain_words.h"
 
 namespace facenav::report {
 
@@ -14,6 +15,7 @@ std::string painWords(double pain) {
 }
 
 std::string noteWords(const std::string& words, const std::string& what) {
+  requireNote(words, "the note");
   std::string line = words;
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');

@@ -10,6 +10,7 @@
 #include "facenav/core/json_reader.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/software_version.h"
+#include "facenav/core/standard_output.h"
 #include "facenav/core/utc_time.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/core/whole_folder.h"
@@ -231,7 +232,7 @@ HomeExport exportHome(const face::FaceDetector& detector, const casefile::CaseSt
     manifest["sha256"][name] = casefile::sha256OfFile(home.folder() / name);
   entries[kManifest] = manifest.dump(1, ' ', false, HomeJson::error_handler_t::replace) + "\n";
   writeZip(entries, file, FileAccess::owner_only);
-  made.bytes = fs::file_size(file);
+  made.bytes = isStandardOutput(file) ? 0 : fs::file_size(file);
   return made;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "facenav/core/error.h"
@@ -180,6 +181,20 @@ guidance::Target storeExpertPose(const casefile::CaseStore& store, const ExpertR
                 "unlock it first, or give another --name");
   store.setTargets(with(plan, target.name, target));
   return target;
+}
+
+std::optional<std::string> outsideCaution(const casefile::CaseStore& store, const ExpertRequest& request) {
+  const auto session = casefile::readSession(casefile::findSession(store.folder(), request.session));
+  for (const auto* pulse : pulsesFor(session, request)) {
+    if (pulse->status != casefile::PulseStatus::outside) continue;
+    std::string words = formatted("pulse %d lay outside the tolerance", pulse->number);
+    if (pulse->offset)
+      words +=
+          formatted(": %.1f mm, %.0f deg from '%s'", pulse->offset->distance_mm,
+                    std::hypot(pulse->offset->tilt_deg, pulse->offset->twist_deg), targetOf(*pulse).c_str());
+    return words;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> otherCoilCaution(const guidance::Target& target, const std::string& coil) {

@@ -97,6 +97,8 @@ TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingReq
 std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment, std::string name) {
   const auto plan = treatment.store.targets();
   if (name.empty() && !treatment.goes_on.empty()) name = casefile::sessionSoFar(treatment.goes_on).target;
+  if (name.empty() && !plan.damaged.empty())  // the first target that can be read may not be the wanted one
+    throw Error("the plan is damaged (" + plan.damaged.front() + ")", {}, "name the target that you want");
   if (name.empty() && plan.targets.empty()) return std::nullopt;
   return chosenTarget(name.empty() ? plan.targets.front() : plan.find(name), treatment.alignment.get());
 }

@@ -7,6 +7,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/plain_words.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/core/utc_time.h"
 #include "facenav/core/whole_file.h"
@@ -97,7 +98,7 @@ void requireOwnMarker(const coil_tracking::CoilModel& model, const fs::path& own
 /// Copies the file that `value` names to the coil's new folder and replaces `value` by the copy's name.
 void takeAlong(CoilJson& value, const fs::path& from, const fs::path& to) {
   const fs::path source = from.parent_path() / value.get<std::string>(), name = source.filename();
-  writeWholeFile(to / name, readWholeFile(source));
+  writeWholeFile(to / name, readWholeFile(source), FileAccess::by_umask);
   value = name.string();
 }
 
@@ -168,6 +169,7 @@ LibraryCoil addCoil(const fs::path& library, const fs::path& coil_json, const Co
   CoilJson json = CoilJson::parse(readWholeFile(coil_json));
   change(json, changes);
   const std::string name = json.value("name", std::string()), slug = slugOf(name);
+  if (!name.empty()) requireName(name, "the coil's name");
   if (slug.empty()) throw Error("the coil has no name", coil_json.string(), "give --name");
   const fs::path folder = library / slug;
   if (fs::exists(folder) && !replaces)
@@ -178,7 +180,7 @@ LibraryCoil addCoil(const fs::path& library, const fs::path& coil_json, const Co
   WholeFolder fresh(folder, FileAccess::by_umask, Existing::replace);
   takeFilesAlong(json, coil_json, fresh.temporaryPath());
   writeWholeFile(fresh.temporaryPath() / "coil.json",
-                 json.dump(1, ' ', false, CoilJson::error_handler_t::replace) + "\n");
+                 json.dump(1, ' ', false, CoilJson::error_handler_t::replace) + "\n", FileAccess::by_umask);
   coil_tracking::readCoil(fresh.temporaryPath() / "coil.json");
   coil_tracking::readCoilCard(fresh.temporaryPath() / "coil.json");
   fresh.commit();

@@ -1,10 +1,15 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/plain_words.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
 #include "facenav/guidance/dose_json.h"
 #include "facenav/guidance/target.h"
+#include "targets_rescue.h"
 
 namespace facenav::guidance {
 namespace {
@@ -113,13 +118,41 @@ void writeRecord(const Target& target, Json& json) {
 Target readTarget(const JsonReader& json) {
   Target target;
   target.name = json.at("name").text();
-  if (target.name.empty()) json.at("name").refuse("a target needs a name");
   target.mri_T_target = readTransform<Mri, frames::Target>(json.at("mri_T_target"));
   target.cortex_point = readPoint<Mri>(json.at("cortex_point_mm"));
   target.scalp_point = readPoint<Mri>(json.at("scalp_point_mm"));
   if (json.has("note")) target.note = json.at("note").text();
   readRecord(json, target);
+  try {
+    requireSound(target);
+  } catch (const Error& fault) {
+    json.refuse(fault.what());
+  }
   return target;
+}
+
+/// Reads the file, or what can be rescued of it; `damaged` tells of the rescue.
+JsonReader readRescued(const std::filesystem::path& path, std::vector<std::string>& damaged) {
+  try {
+    return JsonReader::readFile(path);
+  } catch (const Error& fault) {
+    const std::string rescued =
+        std::filesystem::is_regular_file(path) ? rescuedTargets(readWholeFile(path)) : std::string();
+    if (rescued.empty()) throw;
+    damaged.push_back(std::string("the plan is damaged, what can be read of it is used: ") + fault.what());
+    return JsonReader::readText(rescued, path);
+  }
+}
+
+/// Keeps a damaged file under another name before it is replaced.
+void keepDamaged(const std::filesystem::path& path, FileAccess access) {
+  if (!std::filesystem::is_regular_file(path)) return;
+  try {
+    if (readTargets(path).damaged.empty()) return;
+  } catch (const Error&) {  // nothing of it can be read
+  }
+  const std::string content = readWholeFile(path);
+  if (!content.empty()) writeWholeFile(path.parent_path() / "targets_damaged.json", content, access);
 }
 
 /// Reads the file that will be replaced, for its keys unknown to FaceNav; empty if it cannot be read.
@@ -147,22 +180,52 @@ const Target& TreatmentPlan::find(const std::string& name) const {
     if (target.name == name) return target;
     known += (known.empty() ? "'" : ", '") + target.name + "'";
   }
-  throw Error("there is no target named '" + name + "'", {},
+  const std::string also = damaged.empty() ? "" : " (" + damaged.front() + ")";
+  throw Error("there is no target named '" + name + "'" + also, {},
               known.empty() ? "plan a target first" : "choose one of: " + known);
+}
+
+void requireSound(const Target& target) {
+  constexpr double kFarthestFromHead_mm = 1000;
+  requireName(target.name, "the target's name");
+  const auto refuse = [&](const std::string& what) {
+    throw Error("the target '" + target.name + "' cannot be kept: " + what, {}, "check what was typed");
+  };
+  const auto isNear = [](const auto& mm) {
+    return mm.allFinite() && mm.cwiseAbs().maxCoeff() <= kFarthestFromHead_mm;
+  };
+  if (!target.mri_T_target.matrix().allFinite() || !isNear(target.mri_T_target.translation_mm()))
+    refuse("its pose is no place near the head");
+  if (!isNear(target.cortex_point.mm) || !isNear(target.scalp_point.mm))
+    refuse("its points are no places near the head");
+  if (!(std::abs(target.lift_mm) <= kFarthestFromHead_mm)) refuse("its lift is no height");
+  requireNote(target.note, "the note of the target '" + target.name + "'");
+  if (target.dose) requireSensible(*target.dose);
+  if (target.grid && !(target.grid->spacing_mm > 0 && target.grid->spacing_mm <= kFarthestFromHead_mm))
+    refuse("its grid has no spacing");
+  if (const auto& expert = target.expert)
+    for (const double value : {expert->spread_mm, expert->spread_deg, expert->predicted_error_mm})
+      if (!isUsableNumber(value)) refuse("the spread of its pulses is no number");
 }
 
 TreatmentPlan readTargets(const std::filesystem::path& path) {
   TreatmentPlan plan;
   std::set<std::string> names;
-  for (const JsonReader& json : JsonReader::readFile(path).at("targets").elements()) {
-    plan.targets.push_back(readTarget(json));
-    if (!names.insert(plan.targets.back().name).second)
-      json.at("name").refuse("two targets have the same name");
+  for (const JsonReader& json : readRescued(path, plan.damaged).at("targets").elements()) {
+    try {
+      Target target = readTarget(json);
+      if (!names.insert(target.name).second) json.at("name").refuse("two targets have the same name");
+      plan.targets.push_back(std::move(target));
+    } catch (const Error& fault) {
+      plan.damaged.push_back(std::string("a target is left out: ") + fault.what());
+    }
   }
   return plan;
 }
 
 void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path, FileAccess access) {
+  for (const Target& target : plan.targets) requireSound(target);
+  keepDamaged(path, access);
   Json file = previousContent(path), targets = Json::array();
   for (const Target& target : plan.targets) {
     Json json = previousTarget(file, target.name);

@@ -192,7 +192,7 @@ void writeCalibratedCoil(CoilModel coil, const CoilCalibration& calibration,
                          {"sigma_deg", calibration.sigma_deg},
                          {"frames", calibration.used}};
   if (!calibration.utc.empty()) json["calibration"]["utc"] = calibration.utc;
-  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", FileAccess::by_umask);
 }
 
 }  // namespace facenav::coil_tracking

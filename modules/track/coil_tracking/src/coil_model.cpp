@@ -133,7 +133,7 @@ void writeCoil(const CoilModel& coil, const fs::path& path) {
     json["mesh"] = relative.empty() ? coil.mesh->string() : relative.string();
   }
   if (!coil.tip.mm.isZero()) json["tip_mm"] = {coil.tip.mm.x(), coil.tip.mm.y(), coil.tip.mm.z()};
-  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeWholeFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", FileAccess::by_umask);
 }
 
 CoilModel defaultCoil() {

@@ -85,7 +85,7 @@ std::string markerPageSvg(const CoilModel& coil) {
 }
 
 void writeMarkerPage(const CoilModel& coil, const std::filesystem::path& path) {
-  writeWholeFile(path, markerPageSvg(coil));
+  writeWholeFile(path, markerPageSvg(coil), FileAccess::by_umask);
 }
 
 }  // namespace facenav::coil_tracking

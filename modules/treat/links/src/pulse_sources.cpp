@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/links/pulse_dead_times.h"
 #include "sources.h"
@@ -35,7 +36,7 @@ std::optional<Number> numberFrom(const std::string& text) {
 /// Removes a trailing "dead=0.15" and returns its value.
 std::optional<double> takeDeadTime(std::vector<std::string>& parts, const std::string& words) {
   if (parts.back().rfind("dead=", 0) != 0) return std::nullopt;
-  const auto dead_s = numberFrom<double>(parts.back().substr(5));
+  const auto dead_s = numberIn(parts.back().substr(5));
   if (!dead_s || !(*dead_s >= 0 && *dead_s <= 1)) refuse(words);
   parts.pop_back();
   return dead_s;

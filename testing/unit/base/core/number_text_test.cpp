@@ -40,5 +40,20 @@ TEST(NumberText, HasAPointInEveryLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
+TEST(NumberText, ReadsWholeFiniteNumbersOnly) {
+  EXPECT_EQ(numberIn("-38.5"), -38.5);
+  EXPECT_EQ(numberIn("+45"), 45.0);
+  EXPECT_EQ(numberIn("1.7e15"), 1.7e15);  // microseconds since 1970
+  for (const char* text : {"", "nan", "NaN", "inf", "-inf", "infinity", "1e30", "-1e17", "1e999", "5 mm",
+                           "1,5", "0x10", "+", "--1", " 1", "1 "})
+    EXPECT_FALSE(numberIn(text)) << text;
+}
+
+TEST(NumberText, ReadsListsWithoutAGap) {
+  EXPECT_EQ(numbersIn("1.5,-20,3"), (std::vector<double>{1.5, -20, 3}));
+  for (const char* text : {"", "1,", ",1", "1,,2", "1,nan,3", "1 2 3"})
+    EXPECT_TRUE(numbersIn(text).empty()) << text;
+}
+
 }  // namespace
 }  // namespace facenav

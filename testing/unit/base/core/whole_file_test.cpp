@@ -1,8 +1,11 @@
 #include "facenav/core/whole_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "facenav/core/error.h"
@@ -97,6 +100,55 @@ TEST(WholeFile, MayBeEmptyWhereThatIsTheContent) {
   writeWholeFile(folder.path() / "log", "", FileAccess::owner_only);
   EXPECT_EQ(readWholeFile(folder.path() / "log"), "");
   EXPECT_EQ(modeOf(folder.path() / "log"), 0600u);
+}
+
+TEST(WholeFile, IsPrivateUnlessAskedOtherwise) {
+  const TemporaryFolder folder;
+  writeWholeFile(folder.path() / "pulses.csv", "1");
+  EXPECT_EQ(modeOf(folder.path() / "pulses.csv"), 0600u);
+  const auto before = ::umask(0022);
+  writeWholeFile(folder.path() / "stereo.yml", "1", FileAccess::by_umask);
+  ::umask(before);
+  EXPECT_EQ(modeOf(folder.path() / "stereo.yml"), 0644u);
+}
+
+TEST(WholeFile, NeverReplacesADeviceAPipeOrAFolder) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink(pipe, folder.path() / "to_pipe");
+  fs::create_symlink("/dev/null", folder.path() / "to_null");
+  fs::create_symlink(folder.path() / "absent", folder.path() / "to_nothing");
+  for (const fs::path& path : {pipe, folder.path() / "to_pipe", folder.path() / "to_null",
+                               folder.path() / "to_nothing", folder.path(), fs::path("/dev/null"),
+                               fs::path("/dev/stdout"), fs::path("/dev/fd/1"), fs::path("/proc/self/fd/1")})
+    EXPECT_THROW(writeWholeFile(path, "1"), Error) << path;
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(WholeFile, FollowsALinkAndLeavesIt) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "disk");
+  writeWholeFile(folder.path() / "disk/a.txt", "old");
+  fs::create_symlink("disk/a.txt", folder.path() / "a.txt");
+  writeWholeFile(folder.path() / "a.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "a.txt"));
+  EXPECT_EQ(readWholeFile(folder.path() / "disk/a.txt"), "new");
+}
+
+TEST(WholeFile, ADashIsStandardOutput) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  std::fflush(stdout);
+  const int kept = ::dup(STDOUT_FILENO), file = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600);
+  ::dup2(file, STDOUT_FILENO);
+  writeWholeFile("-", "content");
+  ::dup2(kept, STDOUT_FILENO);
+  ::close(kept);
+  ::close(file);
+  EXPECT_EQ(readWholeFile(out), "content");
+  EXPECT_FALSE(fs::exists("-"));
 }
 
 }  // namespace

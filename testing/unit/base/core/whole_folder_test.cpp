@@ -105,5 +105,25 @@ TEST(WholeFolder, RefusesAParentThatDoesNotExist) {
   EXPECT_THROW(WholeFolder(folder.path() / "absent/out"), Error);
 }
 
+TEST(WholeFolder, NeverReplacesAFileOrADevice) {
+  const TemporaryFolder folder;
+  write(folder.path() / "a", "kept");
+  EXPECT_THROW(WholeFolder(folder.path() / "a", FileAccess::owner_only, Existing::replace), Error);
+  EXPECT_THROW(WholeFolder("/dev/null", FileAccess::owner_only, Existing::replace), Error);
+  EXPECT_THROW(WholeFolder("-"), Error);
+  EXPECT_EQ(readWholeFile(folder.path() / "a"), "kept");
+}
+
+TEST(WholeFolder, FollowsALinkAndLeavesIt) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "disk");
+  fs::create_symlink("disk", folder.path() / "out");
+  WholeFolder whole(folder.path() / "out", FileAccess::owner_only, Existing::replace);
+  write(whole.temporaryPath() / "a", "1");
+  whole.commit();
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "out"));
+  EXPECT_EQ(readWholeFile(folder.path() / "disk/a"), "1");
+}
+
 }  // namespace
 }  // namespace facenav

@@ -45,6 +45,24 @@ TEST(Protocol, IsReadBackAsItWasWritten) {
   EXPECT_FALSE(read.dose.output_pct) << "what is not stated stays unstated";
 }
 
+TEST(Protocol, TheTemplateIsAProtocolThatNoCaseTakesUnchanged) {
+  const facenav::testing::TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  writeProtocolTemplate(path);
+  Protocol protocol = readProtocol(path);
+  EXPECT_TRUE(protocol.dose.output_pct && protocol.dose.threshold_pct && protocol.sessions);
+  EXPECT_THROW(setProtocol(folder.path(), protocol), Error);
+  EXPECT_THROW(writeProtocolTemplate(path), Error) << "nothing is overwritten";
+  protocol.name = "ours";
+  EXPECT_NO_THROW(setProtocol(folder.path(), protocol));
+}
+
+TEST(Protocol, RefusesNamesWithControlCharactersAndEndlessOnes) {
+  EXPECT_THAT(refusalOf(R"({"name": "a\u001b[2J", "version": 1, "pulses": 20})"), HasSubstr("control"));
+  EXPECT_THAT(refusalOf(R"({"name": ")" + std::string(500, 'x') + R"(", "version": 1, "pulses": 20})"),
+              HasSubstr("longer"));
+}
+
 TEST(Protocol, NeedsNameVersionAndPulsesAlone) {
   EXPECT_EQ(refusalOf(R"({"name": "single", "version": 1, "pulses": 20})"), "read");
   EXPECT_THAT(refusalOf(R"({"version": 1, "pulses": 20})"), HasSubstr("name"));

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "facenav/atlas/lobes.h"
 #include "facenav/core/error.h"
 #include "support/test_data.h"
@@ -31,6 +33,8 @@ TEST_F(Colin27, AClickBesideTheCortexFindsTheNearestLabelAndFarAwayNone) {
   EXPECT_EQ(labelAt(colin.aal, {-24, -4, -18}).distance_mm, 0.0);
   const auto outside = labelAt(colin.aal, {0, 200, 0});
   EXPECT_TRUE(outside.name.empty());
+  EXPECT_TRUE(labelAt(colin.aal, {std::nan(""), 0, 0}).name.empty());
+  EXPECT_TRUE(labelAt(colin.aal, {1e30, 0, 0}).name.empty());
   EXPECT_TRUE(labelAt(colin.aal, {500, 500, 500}).name.empty());
 }
 

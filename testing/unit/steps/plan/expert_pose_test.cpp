@@ -63,6 +63,19 @@ TEST_F(ExpertPoseTest, IsTheMedianOfThePulsesOnTarget) {
   EXPECT_EQ(store_.targets().targets.size(), 2u) << "the plan stays";
 }
 
+TEST_F(ExpertPoseTest, SaysThatAPulseLayOutsideTheTolerance) {
+  testing::MadeSession made;
+  made.off_mm = {8, 0, 0};
+  made.pulses = 3;
+  testing::writeMadeSession(store_.folder(), target_, made);
+  ExpertRequest request;
+  request.pulse = 2;
+  const auto caution = outsideCaution(store_, request);
+  ASSERT_TRUE(caution);
+  EXPECT_THAT(*caution, HasSubstr("pulse 2 lay outside the tolerance"));
+  EXPECT_THAT(*caution, HasSubstr("from 'M1'"));
+}
+
 TEST_F(ExpertPoseTest, OfOnePulseIsThatPulse) {
   const auto session = testing::writeMadeSession(store_.folder(), target_);
   const auto pulse = casefile::readSession(session).pulses.pulses.at(2).pulse;
@@ -73,6 +86,7 @@ TEST_F(ExpertPoseTest, OfOnePulseIsThatPulse) {
   EXPECT_LT((target.mri_T_target.translation_mm() - pulse.mri_T_coil()->translation_mm()).norm(), 1e-6);
   EXPECT_EQ(target.expert->pulses, 1);
   EXPECT_EQ(target.name, "hotspot");
+  EXPECT_EQ(outsideCaution(store_, request).has_value(), pulse.status == casefile::PulseStatus::outside);
 }
 
 TEST_F(ExpertPoseTest, RefusesWhatIsNoPose) {

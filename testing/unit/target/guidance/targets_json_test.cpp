@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "made_targets.h"
@@ -22,7 +24,8 @@ std::string faultOf(const std::string& content) {
   const TemporaryFolder folder;
   writeWholeFile(folder.path() / "targets.json", content);
   try {
-    readTargets(folder.path() / "targets.json");
+    const auto damaged = readTargets(folder.path() / "targets.json").damaged;
+    return damaged.empty() ? "" : damaged.front();
   } catch (const Error& fault) {
     return fault.what();
   }
@@ -121,6 +124,76 @@ TEST(TargetsJson, RefusesANameGivenTwice) {
   const std::string target = R"({"name": "a", "mri_T_target": )" + kIdentity +
                              R"(, "cortex_point_mm": [1, 2, 3], "scalp_point_mm": [4, 5, 6]})";
   EXPECT_NE(faultOf(R"({"targets": [)" + target + "," + target + "]}").find("same name"), std::string::npos);
+}
+
+std::string named(const std::string& name, const std::string& matrix) {
+  return "{\"name\": \"" + name + "\", \"mri_T_target\": " + matrix +
+         R"(, "cortex_point_mm": [1, 2, 3], "scalp_point_mm": [4, 5, 6]})";
+}
+
+TEST(TargetsJson, ADamagedTargetIsLeftOutAndSaidAndTheOthersStay) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "targets.json";
+  const std::string good = named("a", kIdentity), last = named("c", kIdentity);
+  const std::string rest = ",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]";
+  for (const std::string& bad :
+       {named("b", "[null" + rest), named("b", "[NaN" + rest), named("b", "[Infinity" + rest),
+        named("b", "[1e999" + rest), named("b", "[1,0,0,1e30, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
+        named("b", "[1,0,0,5000, 0,1,0,0, 0,0,1,0, 0,0,0,1]"), named("b\\u001b[31m", kIdentity),
+        std::string("7"), named("a", kIdentity)}) {
+    writeWholeFile(path, R"({"targets": [)" + good + "," + bad + "," + last + "]}");
+    const auto plan = readTargets(path);
+    ASSERT_EQ(plan.targets.size(), 2u) << bad;
+    EXPECT_EQ(plan.targets[1].name, "c") << bad;
+    EXPECT_FALSE(plan.damaged.empty()) << bad;
+  }
+}
+
+TEST(TargetsJson, AFileCutShortKeepsItsWholeTargets) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "targets.json";
+  const std::string whole = R"({"targets": [)" + named("a", kIdentity) + "," + named("b", kIdentity);
+  writeWholeFile(path, whole.substr(0, whole.size() - 20));
+  const auto plan = readTargets(path);
+  ASSERT_EQ(plan.targets.size(), 1u);
+  EXPECT_EQ(plan.targets[0].name, "a");
+  EXPECT_EQ(plan.damaged.size(), 1u);
+}
+
+TEST(TargetsJson, WhatWasDamagedIsKeptBesideTheFileThatReplacesIt) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "targets.json";
+  const std::string content =
+      R"({"targets": [)" + named("a", kIdentity) + R"(, {"name": "b", "note": "C3"}]})";
+  writeWholeFile(path, content);
+  writeTargets(readTargets(path), path);
+  EXPECT_TRUE(readTargets(path).damaged.empty());
+  EXPECT_EQ(readWholeFile(folder.path() / "targets_damaged.json"), content);
+}
+
+TEST(TargetsJson, TheWriterRefusesATargetThatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "targets.json";
+  TreatmentPlan plan;
+  plan.targets = {vertexTarget()};
+  writeTargets(plan, path);
+  const std::string before = readWholeFile(path);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Target> unsound(7, vertexTarget());
+  unsound[0].cortex_point.mm.x() = nan;
+  unsound[1].scalp_point.mm.z() = 1e30;
+  unsound[2].mri_T_target = poseFrom<frames::Target>({nan, 0, 99}, {0, 0, -1}, {0, 1, 0});
+  unsound[3].name = "two\nlines";
+  unsound[4].name = std::string(500, 'x');
+  unsound[5].dose = Dose{};
+  unsound[5].dose->pulses = 10;
+  unsound[5].dose->frequency_hz = nan;
+  unsound[6].lift_mm = nan;
+  for (const auto& target : unsound) {
+    plan.targets = {target};
+    EXPECT_THROW(writeTargets(plan, path), Error) << target.name;
+  }
+  EXPECT_EQ(readWholeFile(path), before);
 }
 
 TEST(TargetsJson, KeepsKeysItDoesNotKnow) {

@@ -1,9 +1,7 @@
 #include "csv_line.h"
 
-#include <charconv>
-#include <cmath>
-
 #include "facenav/core/csv_table.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::casefile {
 namespace {
@@ -62,17 +60,9 @@ std::optional<std::size_t> columnOf(const std::string& header, const std::string
   return std::nullopt;
 }
 
-std::optional<double> numberOf(const std::string& text) {
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 std::optional<double> numberAt(const std::string& line, std::size_t column) {
   const auto field = fieldAt(line, column);
-  return field ? numberOf(*field) : std::nullopt;
+  return field ? numberIn(*field) : std::nullopt;
 }
 
 ColumnOrder::ColumnOrder(const std::string& written_header, const std::string& wanted_header)

@@ -13,8 +13,6 @@ std::optional<std::string> fieldAt(const std::string& line, std::size_t column);
 /// Returns all fields, without quotes.
 std::vector<std::string> fieldsOf(const std::string& line);
 std::optional<std::size_t> columnOf(const std::string& header, const std::string& name);
-/// Parses a number; nothing unless the whole text is one.
-std::optional<double> numberOf(const std::string& text);
 std::optional<double> numberAt(const std::string& line, std::size_t column);
 
 /// Moves the fields of lines written under one header to the columns of another one, by name. Needed when a

@@ -40,8 +40,8 @@ std::string soundTimes(const fs::path& csv, std::optional<std::int64_t>& last) {
   for (std::size_t begin = 0, end; (end = content.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const std::string line = content.substr(begin, end - begin);
     const auto fields = fieldsOf(line);
-    const auto number = fields.size() == 2 ? numberOf(fields[0]) : std::nullopt;
-    const auto t_s = fields.size() == 2 ? numberOf(fields[1]) : std::nullopt;
+    const auto number = fields.size() == 2 ? numberIn(fields[0]) : std::nullopt;
+    const auto t_s = fields.size() == 2 ? numberIn(fields[1]) : std::nullopt;
     if (!number || !t_s || (last && (*number <= double(*last) || *t_s <= last_s))) continue;
     last = std::int64_t(*number);
     last_s = *t_s;

@@ -8,6 +8,7 @@
 
 #include "csv_line.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::casefile {
 namespace fs = std::filesystem;
@@ -103,7 +104,7 @@ std::optional<TrackMoment::Pose> poseFrom(const std::vector<std::string>& fields
   TrackMoment::Pose pose;
   double norm2 = 0;
   for (int i = 0; i < 7; ++i) {
-    const auto value = numberOf(fields[columns[std::size_t(i)]]);
+    const auto value = numberIn(fields[columns[std::size_t(i)]]);
     if (!value) return std::nullopt;
     (i < 3 ? pose.t_mm[i] : pose.q_wxyz[i - 3]) = float(*value);
     if (i >= 3) norm2 += *value * *value;
@@ -124,7 +125,7 @@ void TrackReader::readPoses(const fs::path& path) {
   for (std::size_t i = 0; i < 7; ++i) columns[i] = header.at(kPoseColumns[i]);
   note(readLines(stream, header,
                  [&](const std::vector<std::string>& fields) {
-                   const auto number = numberOf(fields[frame]), time_s = numberOf(fields[t_s]);
+                   const auto number = numberIn(fields[frame]), time_s = numberIn(fields[t_s]);
                    const bool is_head = fields[object] == "head";
                    const bool is_tracked = fields[status] == "tracked";
                    if (!number || !time_s || (!is_head && fields[object] != "coil")) return false;
@@ -155,7 +156,7 @@ void TrackReader::readGuidance(const fs::path& path) {
   std::size_t next = 0;  // both files are in the order of their frames
   note(readLines(stream, header,
                  [&](const std::vector<std::string>& fields) {
-                   const auto number = numberOf(fields[frame]);
+                   const auto number = numberIn(fields[frame]);
                    if (!number) return false;
                    while (next < track.moments.size() && track.moments[next].frame < std::int64_t(*number))
                      ++next;
@@ -165,7 +166,7 @@ void TrackReader::readGuidance(const fs::path& path) {
                    std::array<float, 7> values{};
                    const bool is_lost = fields[state] == "lost";
                    for (std::size_t i = 0; i < 7 && !is_lost; ++i) {
-                     const auto value = numberOf(fields[columns[i]]);
+                     const auto value = numberIn(fields[columns[i]]);
                      if (!value) return false;
                      values[i] = float(*value);
                    }

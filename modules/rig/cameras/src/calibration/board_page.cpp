@@ -49,7 +49,7 @@ std::string boardPageSvg(const Board& board) {
 }
 
 void writeBoardPage(const Board& board, const std::filesystem::path& path) {
-  writeWholeFile(path, boardPageSvg(board));
+  writeWholeFile(path, boardPageSvg(board), FileAccess::by_umask);
 }
 
 cv::Mat boardPicture(const Board& board, const cv::Size& size, int* square_px) {

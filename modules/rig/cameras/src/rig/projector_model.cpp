@@ -38,7 +38,7 @@ void writeProjector(const ProjectorModel& projector, const std::filesystem::path
                                                 : cv::Mat(projector.lens.distortion.reshape(1, 1)));
   storage << "R" << matOf(projector.projector_T_camera.rotation()) << "T"
           << (cv::Mat_<double>(3, 1) << t.x(), t.y(), t.z());
-  writeWholeFile(path, storage.releaseAndGetString());
+  writeWholeFile(path, storage.releaseAndGetString(), FileAccess::by_umask);
 }
 
 }  // namespace facenav::cameras

@@ -113,7 +113,7 @@ void writeRig(const StereoRig& rig, const std::filesystem::path& path, const Cal
     storage << "standard_errors" << sigmas << "covariance" << rig.covariance;
   }
   writeNotes(storage, notes);
-  writeWholeFile(path, storage.releaseAndGetString());
+  writeWholeFile(path, storage.releaseAndGetString(), FileAccess::by_umask);
 }
 
 }  // namespace facenav::cameras

@@ -123,7 +123,8 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
     throw Error("the folder for rigs cannot be made (" + error.message() + ")", folder_.string(),
                 "choose another");
   WholeFolder whole(folder, FileAccess::by_umask, existing);
-  writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(withKnownRowTimes(rig, folder)));
+  writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(withKnownRowTimes(rig, folder)),
+                 FileAccess::by_umask);
   cameras::writeRig(rig.rig, whole.temporaryPath() / "stereo.yml");
   whole.commit();
 }
@@ -131,13 +132,13 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
 void RigStore::note(const std::string& name, const RigCheckNote& check) const {
   NamedRig rig = read(name);
   rig.last_check = check;
-  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig));
+  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig), FileAccess::by_umask);
 }
 
 void RigStore::noteRowTimes(const std::string& name, const MeasuredRowTimes& row_times) const {
   NamedRig rig = read(name);
   rig.row_times = row_times;
-  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig));
+  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig), FileAccess::by_umask);
 }
 
 std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const NamedRig& rig) {

@@ -25,7 +25,7 @@ std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh);
 
 /// Writes the whole file or nothing, binary appended and compressed. Throws Error.
 void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path,
-                   FileAccess access = FileAccess::by_umask);
+                   FileAccess access = FileAccess::owner_only);
 /// Reads a .vtp file. Throws Error if it is missing or another kind of file.
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& path);
 

@@ -30,7 +30,7 @@ class JsonReader {
   /// The members of an object. Throws Error if this is not an object.
   std::map<std::string, JsonReader> members() const;
 
-  /// A finite number; throws Error otherwise.
+  /// A finite number of usable size (number_text.h); throws Error otherwise.
   double number() const;
   int integer() const;
   std::string text() const;

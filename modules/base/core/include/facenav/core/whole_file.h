@@ -1,7 +1,8 @@
 #pragma once
 // WholeFile: a file that is written completely or not at all. Write to temporaryPath() (same folder, same
 // extension), then call commit(): fsync, rename, fsync of the folder, so that the file survives a power cut.
-// Without commit(), the destructor removes the temporary file. For folders see core/whole_folder.h.
+// Without commit(), the destructor removes the temporary file. A link is followed, and the path "-" is
+// standard output; a device or a pipe is never replaced. For folders see core/whole_folder.h.
 
 #include <filesystem>
 #include <string>
@@ -14,8 +15,9 @@ inline namespace core {
 class WholeFile {
  public:
   /// If owner_only, creates the temporary file here, empty, with mode 0600; a writer that opens it by name
-  /// keeps that mode. Throws Error if the folder of `path` does not exist or cannot be written to.
-  explicit WholeFile(std::filesystem::path path, FileAccess access = FileAccess::by_umask);
+  /// keeps that mode. Throws Error if the folder of `path` does not exist or cannot be written to, or if
+  /// `path` is no regular file.
+  explicit WholeFile(std::filesystem::path path, FileAccess access = FileAccess::owner_only);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -29,14 +31,14 @@ class WholeFile {
   friend void writeWholeFile(const std::filesystem::path&, const std::string&, FileAccess);
   void publish();
 
-  std::filesystem::path path_, temporary_;
+  std::filesystem::path path_, place_, temporary_;  // as given, and behind links
   FileAccess access_;
   bool is_committed_ = false;
 };
 
 /// Writes `content` as a whole file. Throws Error.
 void writeWholeFile(const std::filesystem::path& path, const std::string& content,
-                    FileAccess access = FileAccess::by_umask);
+                    FileAccess access = FileAccess::owner_only);
 /// The whole content of a file. Throws Error if it is missing or unreadable.
 std::string readWholeFile(const std::filesystem::path& path);
 

@@ -17,9 +17,9 @@ enum class Existing { refuse, replace };
 class WholeFolder {
  public:
   /// Throws Error if the parent folder does not exist or cannot be written to, or if `folder` is not empty
-  /// and `existing` is refuse. With owner_only the temporary folder has mode 0700 from the start, so that no
-  /// other user can reach its content.
-  explicit WholeFolder(const std::filesystem::path& folder, FileAccess access = FileAccess::by_umask,
+  /// and `existing` is refuse, or if `folder` is a file or a device. A link is followed. With owner_only the
+  /// temporary folder has mode 0700 from the start, so that no other user can reach its content.
+  explicit WholeFolder(const std::filesystem::path& folder, FileAccess access = FileAccess::owner_only,
                        Existing existing = Existing::refuse);
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;

@@ -21,7 +21,7 @@ ZipEntries readZip(const std::filesystem::path& path);
 
 /// Writes the whole file or nothing; equal entries give equal bytes. Throws Error.
 void writeZip(const ZipEntries& entries, const std::filesystem::path& path,
-              FileAccess access = FileAccess::by_umask);
+              FileAccess access = FileAccess::owner_only);
 
 }  // namespace core
 }  // namespace facenav

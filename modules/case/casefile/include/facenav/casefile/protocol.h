@@ -33,12 +33,16 @@ struct Protocol {
 Protocol readProtocol(const std::filesystem::path& path);
 /// Writes the file completely or not at all. Throws Error, also for a protocol without a name.
 void writeProtocol(const Protocol& protocol, const std::filesystem::path& path,
-                   FileAccess access = FileAccess::by_umask);
+                   FileAccess access = FileAccess::owner_only);
+
+/// Writes a protocol that has every key, for a person to change; its numbers are an example and no advice.
+/// setProtocol refuses it until it has another name. Throws Error if the file exists.
+void writeProtocolTemplate(const std::filesystem::path& path);
 
 /// Returns the case's protocol; nothing if it has none. Throws as readProtocol does.
 std::optional<Protocol> protocolOf(const std::filesystem::path& case_folder);
 /// Sets the case's protocol. Throws Error if the case has one of the same name and version with other
-/// numbers: a changed protocol needs a new version.
+/// numbers (a changed protocol needs a new version), and for the unchanged example.
 void setProtocol(const std::filesystem::path& case_folder, const Protocol& protocol);
 /// Removes the case's protocol; its sessions keep what they recorded.
 void removeProtocol(const std::filesystem::path& case_folder);

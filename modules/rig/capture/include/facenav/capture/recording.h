@@ -46,7 +46,7 @@ class RecordingWriter {
   /// Creates missing parent folders. Use owner_only for pictures of a patient's face. Throws Error if
   /// `folder` is not empty and `existing` is refuse.
   RecordingWriter(const std::filesystem::path& folder, const cameras::StereoRig& rig,
-                  FileAccess access = FileAccess::by_umask, Existing existing = Existing::refuse);
+                  FileAccess access = FileAccess::owner_only, Existing existing = Existing::refuse);
   ~RecordingWriter();
   void add(const cameras::StereoFrame& frame);
   /// Sets the capture. An empty `pattern`: there is no projector; only the plain pair is written.

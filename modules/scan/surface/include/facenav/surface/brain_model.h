@@ -67,7 +67,7 @@ BrainModel buildBrainModel(const volume::Volume& volume, const volume::Mask& bra
 BrainModel meshOf(const SphericalMap& map);
 /// Writes brain.vtp and brain_texture.png beside it, each whole or not at all.
 void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
-                const std::filesystem::path& texture_png, FileAccess access = FileAccess::by_umask);
+                const std::filesystem::path& texture_png, FileAccess access = FileAccess::owner_only);
 /// Reads both files. Throws Error if a file is missing, damaged, or the two do not belong together.
 BrainModel readBrain(const std::filesystem::path& vtp, const std::filesystem::path& texture_png);
 

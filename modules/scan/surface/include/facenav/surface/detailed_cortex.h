@@ -31,7 +31,7 @@ ModelDistance distanceBetween(const DetailedCortex& cortex, const BrainModel& mo
 
 /// cortex.vtp: points, normals, triangles, point data "distance_mm". Whole file or nothing.
 void writeCortex(const DetailedCortex& cortex, const std::filesystem::path& vtp,
-                 FileAccess access = FileAccess::by_umask);
+                 FileAccess access = FileAccess::owner_only);
 /// Reads cortex.vtp. Throws Error if the file is missing or damaged.
 DetailedCortex readCortex(const std::filesystem::path& vtp);
 

@@ -19,6 +19,6 @@ std::string extensionOf(MeshFormat format);
 /// precision in STL, PLY and GIFTI (0.01 um at 100 mm). Throws Error when the mesh is empty or the file
 /// cannot be written.
 void writeMesh(const TriangleMesh& mesh, MeshFormat format, const std::filesystem::path& path,
-               FileAccess access = FileAccess::by_umask);
+               FileAccess access = FileAccess::owner_only);
 
 }  // namespace facenav::surface

@@ -32,6 +32,6 @@ TractLines readTracts(const std::filesystem::path& path);
 
 /// Writes MRtrix's format, single precision, without text about its origin; whole file or nothing.
 void writeTck(const TractLines& tracts, const std::filesystem::path& path,
-              FileAccess access = FileAccess::by_umask);
+              FileAccess access = FileAccess::owner_only);
 
 }  // namespace facenav::surface

@@ -43,7 +43,8 @@ Mask readMask(const std::filesystem::path& path);
 /// Writes a .nii or .nii.gz completely or not at all: int16 if all values are integers in its range, else
 /// uint16 by the same rule, else float32. Sets both sform and qform (code 1) if the grid is orthogonal.
 void writeNifti(const Volume& volume, const std::filesystem::path& path,
-                FileAccess access = FileAccess::by_umask);
-void writeMask(const Mask& mask, const std::filesystem::path& path, FileAccess access = FileAccess::by_umask);
+                FileAccess access = FileAccess::owner_only);
+void writeMask(const Mask& mask, const std::filesystem::path& path,
+               FileAccess access = FileAccess::owner_only);
 
 }  // namespace facenav::volume

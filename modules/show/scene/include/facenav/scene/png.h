@@ -13,7 +13,7 @@ namespace facenav::scene {
 
 /// Writes the file. Throws Error if the folder cannot be written to or the image is empty.
 void writePng(const RgbImage& image, const std::filesystem::path& path,
-              FileAccess access = FileAccess::by_umask);
+              FileAccess access = FileAccess::owner_only);
 /// Returns the bytes of such a file.
 std::vector<std::uint8_t> pngOf(const RgbImage& image);
 

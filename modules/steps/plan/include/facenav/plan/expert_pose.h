@@ -49,6 +49,10 @@ guidance::Target expertPose(const casefile::CaseStore& store, const ExpertReques
 /// where that one is locked.
 guidance::Target storeExpertPose(const casefile::CaseStore& store, const ExpertRequest& request);
 
+/// Returns "pulse 12 lay outside the tolerance: 8.2 mm, 4 deg from 'M1'" where a pulse that the pose would be
+/// taken from did; else nothing. Throws Error as expertPose does.
+std::optional<std::string> outsideCaution(const casefile::CaseStore& store, const ExpertRequest& request);
+
 /// Returns "the expert held the coil 'a' there, this is 'b'"; nothing if the coil is the same, or unknown.
 std::optional<std::string> otherCoilCaution(const guidance::Target& target, const std::string& coil);
 

@@ -32,7 +32,8 @@ struct Target {
 
 struct TreatmentPlan {
   std::vector<Target> targets;
-  /// Finds a target by name. Throws Error that lists the existing names.
+  std::vector<std::string> damaged = {};  // what the file held and could not be read, one line each
+  /// Finds a target by name. Throws Error that lists the existing names and says what was damaged.
   const Target& find(const std::string& name) const;
 };
 
@@ -45,11 +46,18 @@ struct TreatmentPlan {
 Target planTarget(const std::string& name, const surface::ScalpSurface& scalp, const Point<Mri>& cortex_point,
                   double handle_angle_rad, double gap_mm = 0.0);
 
-/// Reads targets.json. Throws Error naming file and key: a missing or malformed key, a mirrored or non-rigid
-/// matrix, a duplicate name.
+/// Throws Error that names the target and the fault: no name, control characters, a pose or point that is not
+/// finite or lies farther away than 1 m, a dose out of range.
+void requireSound(const Target& target);
+
+/// Reads targets.json. A target that is damaged (a missing or malformed key, a mirrored or non-rigid matrix,
+/// a duplicate name, one that is not sound) is left out and told in `damaged`, with file and key. Throws
+/// Error if the file holds no list of targets.
 TreatmentPlan readTargets(const std::filesystem::path& path);
-/// Writes the file completely or not at all. Keys unknown to FaceNav are kept from the replaced file.
+/// Writes the file completely or not at all. Keys unknown to FaceNav are kept from the replaced file. A
+/// replaced file that was damaged is kept beside it as targets_damaged.json. Throws Error, also for a target
+/// that is not sound; the file then stays as it was.
 void writeTargets(const TreatmentPlan& plan, const std::filesystem::path& path,
-                  FileAccess access = FileAccess::by_umask);
+                  FileAccess access = FileAccess::owner_only);
 
 }  // namespace facenav::guidance

@@ -21,7 +21,7 @@ class Recorder {
  public:
   /// `capture`: still pair that goes with the recording; null: none.
   Recorder(const std::filesystem::path& folder, const cameras::StereoRig& rig, std::size_t queue_limit = 120,
-           FileAccess access = FileAccess::by_umask, const capture::CapturePair* capture = nullptr);
+           FileAccess access = FileAccess::owner_only, const capture::CapturePair* capture = nullptr);
   /// Removes the recording unless close() was called.
   ~Recorder();
   Recorder(const Recorder&) = delete;
