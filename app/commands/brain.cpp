@@ -61,6 +61,7 @@ void printState(const casefile::CaseStore& store) {
 }
 
 void print(const steps::CorrectedBrain& result) {
+  for (const auto& note : result.notes) std::printf("note: %s\n", note.c_str());
   if (result.had_draft) std::printf("went on from the unfinished correction\n");
   if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
   std::printf(
