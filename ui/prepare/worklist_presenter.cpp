@@ -71,8 +71,10 @@ WorklistRow rowOf(const PrepareJob& job, const PrepareQueue& queue) {
     case JobState::preparing:
       row.state = WorklistPresenter::tr("preparing");
       row.state_order = 2;
-      row.fraction = job.fraction;
-      row.detail = QStringList{job.step, queue.timeWords()}.join("   ");
+      row.fraction = queue.doneShare();
+      row.detail =
+          QStringList{WorklistPresenter::tr("%1 %").arg(int(100 * row.fraction)), queue.timeWords(), job.step}
+              .join("   ");
       break;
     case JobState::needs_choice:
       row.state = WorklistPresenter::tr("new");
