@@ -53,6 +53,12 @@ WorklistRow rowOf(const casefile::WorklistEntry& entry) {
       row.state = WorklistPresenter::tr("planned");
       row.state_order = 6;
       break;
+    case casefile::CaseState::rejected:
+      row.state = WorklistPresenter::tr("rejected");
+      row.state_order = 8;
+      row.mark = Mark::fault;
+      row.detail = WorklistPresenter::tr("by %1").arg(QString::fromStdString(entry.rejection));
+      break;
   }
   return row;
 }
