@@ -17,6 +17,8 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kMissingLines = 3;
+
 QLabel* wrapped(QWidget* parent, const char* name) {
   auto* label = new QLabel(parent);
   label->setObjectName(name);
@@ -67,8 +69,10 @@ QWidget* SignOffPage::makePanel() {
   sign_->setToolTip(tr("the case may then be treated (Ctrl+Return)"));
   sign_->setShortcut(Qt::CTRL + Qt::Key_Return);
   reject_ = new QPushButton(tr("Reject: ask for a new scan"), panel);
-  reject_->setToolTip(tr("the scan is not used; the reason is kept with the case and shown in the worklist"));
+  reject_->setToolTip(tr("needs your name and a reason; the worklist shows them, and the scan is not used"));
   missing_ = wrapped(panel, "muted");
+  missing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  missing_->setMinimumHeight(kMissingLines * missing_->fontMetrics().lineSpacing());  // fields stay in place
   column->addWidget(status_);
   column->addWidget(volumes_);
   column->addWidget(heading);
