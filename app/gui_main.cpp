@@ -149,6 +149,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     std::fprintf(stderr, "facenav-gui: no X display (DISPLAY): start it on a desktop, or under xvfb-run\n");
     return 1;
   }
+  if (const std::string problem = scene::openGlProblem(); !problem.empty())
+    throw Error(problem, {}, "start it on the computer itself, or under xvfb-run");
   ui::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName("FaceNav");

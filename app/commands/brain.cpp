@@ -70,7 +70,9 @@ void print(const steps::CorrectedBrain& result, bool is_json) {
                       {"before_ml", result.before_ml},
                       {"added_voxels", result.added_voxels},
                       {"removed_voxels", result.removed_voxels},
-                      {"had_draft", result.had_draft}});
+                      {"had_draft", result.had_draft},
+                      {"notes", result.notes}});
+  for (const auto& note : result.notes) std::printf("note: %s\n", note.c_str());
   if (result.had_draft) std::printf("went on from the unfinished correction\n");
   if (!result.isChanged()) return void(std::printf("brain: %.0f ml, unchanged\n", result.after_ml));
   std::printf(

@@ -31,7 +31,7 @@ struct ReportRequest {
 
 /// Starts a private display if there is none. Returns nothing if that fails; the report then has no pictures.
 std::unique_ptr<VirtualDisplay> displayForPictures(const Context& context) {
-  if (scene::hasDisplay()) return nullptr;
+  if (scene::canDrawScenes()) return nullptr;
   try {
     return std::make_unique<VirtualDisplay>();
   } catch (const Error& error) {

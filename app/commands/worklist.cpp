@@ -18,22 +18,20 @@ using Json = nlohmann::ordered_json;
 
 Json toJson(const casefile::WorklistEntry& entry) {
   if (!entry.problem.empty()) return {{"folder", entry.folder.string()}, {"problem", entry.problem}};
-  return {{"folder", entry.folder.string()},
-          {"case_id", entry.case_id},
-          {"state", toString(entry.state)},
-          {"created_utc", entry.created_utc},
-          {"checked_by", entry.checked_by},
-          {"findings", entry.findings},
-          {"label", entry.label}};
+  return {{"folder", entry.folder.string()}, {"case_id", entry.case_id},
+          {"state", toString(entry.state)},  {"created_utc", entry.created_utc},
+          {"checked_by", entry.checked_by},  {"rejection", entry.rejection},
+          {"findings", entry.findings},      {"label", entry.label}};
 }
 
 void print(const casefile::WorklistEntry& entry) {
   const std::string name = entry.folder.filename().string();
   if (!entry.problem.empty())
     return void(std::printf("%-24s unreadable: %s\n", name.c_str(), entry.problem.c_str()));
-  std::printf("%-24s %-9s %s  %zu finding(s)%s%s%s%s\n", name.c_str(), toString(entry.state).c_str(),
+  std::printf("%-24s %-9s %s  %zu finding(s)%s%s%s%s%s%s\n", name.c_str(), toString(entry.state).c_str(),
               entry.created_utc.c_str(), entry.findings.size(),
               entry.checked_by.empty() ? "" : "  checked by ", entry.checked_by.c_str(),
+              entry.rejection.empty() ? "" : "  rejected by ", entry.rejection.c_str(),
               entry.label.empty() ? "" : "  ", entry.label.c_str());
 }
 
@@ -76,7 +74,11 @@ Json checkJson(const casefile::CaseStore& store) {
                                   {"is_usual", measure.isUsual()}});
   }
   json["findings"] = store.findings();
-  json["sign_off"] = signedJson(casefile::signOffStatus(store));
+  const auto status = casefile::signOffStatus(store);
+  json["sign_off"] = signedJson(status);
+  json["rejection"] = nullptr;
+  if (const auto& rejection = status.rejection)
+    json["rejection"] = {{"by", rejection->by}, {"utc", rejection->utc}, {"reason", rejection->reason}};
   return json;
 }
 
@@ -129,6 +131,7 @@ void addCheck(CLI::App& app, Context& context) {
     std::filesystem::path case_folder;
     casefile::SignOffRequest sign_off;
     bool is_json = false;
+    std::string rejected_for;
   };
   auto request = std::make_shared<WorklistRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
@@ -136,7 +139,11 @@ void addCheck(CLI::App& app, Context& context) {
                    "sign off: name or initials of who looked at the model (not the patient's)");
   verb->add_flag("--acknowledge-findings", request->sign_off.acknowledges_findings,
                  "every finding was looked at");
-  verb->add_option("--note", request->sign_off.note, "kept with the sign-off");
+  auto* note = verb->add_option("--note", request->sign_off.note,
+                                "kept with the sign-off; a scan that is not usable needs it as the reason");
+  verb->add_option("--reject", request->rejected_for,
+                   "instead of signing off: why the scan is not to be used (with --by)")
+      ->excludes(note);
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
     const bool is_signing = !request->sign_off.by.empty();
@@ -146,6 +153,13 @@ void addCheck(CLI::App& app, Context& context) {
     if (!context.is_quiet && !request->is_json) {
       if (const auto check = casefile::navigationCheckOf(store)) printNavigationCheck(*check);
       for (const auto& finding : store.findings()) std::printf("note: %s\n", finding.c_str());
+    }
+    if (!request->rejected_for.empty()) {
+      casefile::rejectScan(store, request->sign_off.by, request->rejected_for);
+      if (request->is_json) return printJson(checkJson(store));
+      if (!context.is_quiet)
+        std::printf("rejected by %s: %s\n", request->sign_off.by.c_str(), request->rejected_for.c_str());
+      return;
     }
     if (is_signing) {
       const auto sign_off = steps::signOffChecked(store, request->sign_off);

@@ -107,6 +107,22 @@ TEST_F(EditPresenterTest, SavingStoresMaskAndModelKeepsTheAutomaticOneAndVoidsTh
   EXPECT_TRUE(isBrain(46, 0));
 }
 
+TEST_F(EditPresenterTest, AnUndoneStrokeLeavesNothingUnsaved) {
+  casefile::signOff(model_.current().store, {"XY", "", true});
+  open();
+  edit_.setTool(EditTool::brush);
+  stroke(pixel(44, 0), pixel(48, 0));
+  ASSERT_TRUE(edit_.hasUnsaved());
+  ASSERT_TRUE(fixtures::waitFor([&] { return casefile::hasBrainDraft(model_.current().store); }));
+  edit_.undo();
+  EXPECT_FALSE(edit_.hasUnsaved());
+  EXPECT_FALSE(casefile::hasBrainDraft(model_.current().store)) << "the autosaved stroke is gone, too";
+  EXPECT_TRUE(model_.mayBeTreated()) << "the sign-off holds again";
+  edit_.redo();
+  EXPECT_TRUE(edit_.hasUnsaved());
+  EXPECT_FALSE(model_.mayBeTreated());
+}
+
 TEST_F(EditPresenterTest, ACheckedCaseIsCheckedNoMoreFromTheFirstStrokeAndAgainOnceItIsDiscarded) {
   casefile::signOff(model_.current().store, {"XY", "", true});
   open();

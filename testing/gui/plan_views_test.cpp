@@ -146,6 +146,25 @@ TEST_F(PlanViews, AnOverlayIsAddedChangedAndRemoved) {
   EXPECT_TRUE(legend.isHidden());
 }
 
+TEST_F(PlanViews, AnOverlayRemovedAndAddedInAnotherSpaceIsDrawnOnce) {
+  volume::Volume map = *model_.current().mri;
+  for (std::size_t i = 0; i < map.voxels.size(); ++i) map.voxels[i] = 0.25f * float(i % 7);
+  volume::writeNifti(map, folder_.path() / "map.nii.gz");
+  const QString file = QString::fromStdString((folder_.path() / "map.nii.gz").string());
+  OverlayPresenter overlays(model_);
+  overlays.add(file, casefile::OverlaySpace::native, "map");
+  ASSERT_TRUE(fixtures::waitFor([&] { return overlays.shown().size() == 1; }));
+  overlays.remove("map");
+  EXPECT_TRUE(overlays.shown().empty());
+  for (auto& value : map.voxels) value += 0.5f;  // another file of the same name
+  volume::writeNifti(map, folder_.path() / "map.nii.gz");
+  overlays.add(file, casefile::OverlaySpace::native, "map");
+  ASSERT_TRUE(fixtures::waitFor([&] { return !overlays.isBusy() && !overlays.entries().empty(); }));
+  ASSERT_EQ(overlays.shown().size(), 1u) << "the removed one is drawn, too";
+  ASSERT_TRUE(overlays.shown()[0].map);
+  EXPECT_EQ(overlays.shown()[0].map->at(0, 0, 0), 0.5f) << "the new one";
+}
+
 TEST_F(PlanViews, ADamagedOverlayIsRefusedInWords) {
   OverlayPresenter overlays(model_);
   QString words;

@@ -211,6 +211,19 @@ TEST_F(SignOffPresenterTest, SignsInTheCaseAndRemembersTheName) {
   EXPECT_EQ(SignOffPresenter(model_, tasks_).name(), "XY");
 }
 
+TEST_F(SignOffPresenterTest, AScanIsRejectedWithNameAndReason) {
+  presenter_.setName("XY");
+  EXPECT_FALSE(presenter_.canReject()) << "without a reason";
+  presenter_.setNote("the head moved");
+  ASSERT_TRUE(presenter_.canReject());
+  presenter_.reject();
+  waitForTask();
+  EXPECT_FALSE(presenter_.holds());
+  EXPECT_TRUE(presenter_.statusWords().contains("rejected")) << presenter_.statusWords().toStdString();
+  EXPECT_TRUE(presenter_.statusWords().contains("the head moved"));
+  EXPECT_EQ(casefile::stateOf(model_.current().store), casefile::CaseState::rejected);
+}
+
 TEST_F(SignOffPresenterTest, IsRefusedWhenTheFilesAreNoLongerThoseShown) {
   std::ofstream(model_.current().store.folder() / "scalp.vtp", std::ios::app) << " ";
   tickAll();

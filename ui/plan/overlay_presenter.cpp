@@ -1,5 +1,7 @@
 #include "plan/overlay_presenter.h"
 
+#include <algorithm>
+
 #include "facenav/core/error.h"
 
 namespace facenav::ui {
@@ -53,6 +55,14 @@ const casefile::OverlayEntry* OverlayPresenter::find(const QString& name) const 
   return nullptr;
 }
 
+/// Drops what was loaded under a name: another file may get the same name later.
+void OverlayPresenter::forget(const QString& name) {
+  const auto is_it = [&](const scene::Overlay& overlay) {
+    return QString::fromStdString(overlay.name) == name;
+  };
+  loaded_.erase(std::remove_if(loaded_.begin(), loaded_.end(), is_it), loaded_.end());
+}
+
 std::vector<scene::Overlay> OverlayPresenter::shown() const {
   std::vector<scene::Overlay> all;
   for (const auto& overlay : loaded_) {
@@ -81,6 +91,7 @@ void OverlayPresenter::add(const QString& file, std::optional<casefile::OverlayS
         const auto overlay = steps::loadOverlay(store, entry, mri->grid);
         return TaskRunner::Delivery([this, subject, entry, overlay] {
           if (subject != subject_) return;  // another case was opened; this overlay belongs to `subject`
+          forget(QString::fromStdString(entry.name));
           entries_.push_back(entry);
           loaded_.push_back(overlay);
           emit changed();
@@ -94,6 +105,7 @@ void OverlayPresenter::remove(const QString& name) {
   try {
     steps::removeOverlay(model_.current().store, name.toStdString());
     entries_ = casefile::readOverlays(model_.current().store.folder());
+    forget(name);
   } catch (const std::exception& fault) {
     emit refused(QString::fromUtf8(fault.what()));
   }

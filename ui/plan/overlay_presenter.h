@@ -36,6 +36,7 @@ class OverlayPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  void forget(const QString& name);
   void load();
 
   CaseModel& model_;

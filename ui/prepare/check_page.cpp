@@ -57,8 +57,15 @@ QWidget* CheckPage::makeFindingsPanel() {
   auto* heading = new QLabel(tr("Findings"), panel);
   heading->setObjectName("heading");
   findings_ = new WrappedList(panel);
-  findings_->setFocusPolicy(Qt::NoFocus);
-  findings_->setSelectionMode(QAbstractItemView::NoSelection);
+  findings_->setAccessibleName(tr("findings"));
+  findings_->setToolTip(tr("findings in blue go to their place (click, or Return)"));
+  const auto goTo = [this](QListWidgetItem* item) {
+    const auto lines = presenter_.findings();
+    const auto row = std::size_t(findings_->row(item));
+    if (row < lines.size() && lines[row].place) lookAt(*lines[row].place);
+  };
+  connect(findings_, &QListWidget::itemClicked, this, goTo);
+  connect(findings_, &QListWidget::itemActivated, this, goTo);
   auto* masks = new QCheckBox(tr("mask contours"), panel);
   masks->setChecked(true);
   masks->setToolTip(tr("skin orange, brain blue (M)"));
@@ -114,7 +121,13 @@ void CheckPage::showFindings() {
   findings_->clear();
   for (const auto& line : presenter_.findings()) {
     auto* item = new QListWidgetItem((line.is_caution ? tr("!  ") : tr("\u2713  ")) + line.words, findings_);
-    item->setForeground(line.is_caution ? QColor(255, 178, 92) : QColor(210, 220, 228));
+    item->setForeground(line.place        ? QColor(120, 190, 255)
+                        : line.is_caution ? QColor(255, 178, 92)
+                                          : QColor(210, 220, 228));
+    if (!line.place) continue;
+    QFont link = item->font();
+    link.setUnderline(true);
+    item->setFont(link);
   }
 }
 

@@ -13,6 +13,7 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kWordLines = 3;
 constexpr int kSliderPerMm = 2, kMostSlider = 40 * kSliderPerMm;
 
 }  // namespace
@@ -48,6 +49,8 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   words_ = new QLabel(this);
   words_->setObjectName("muted");
   words_->setWordWrap(true);
+  words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  words_->setMinimumHeight(kWordLines * words_->fontMetrics().lineSpacing());  // buttons stay where they are
   grid->addWidget(words_, 9, 0, 1, 3);
   connect(size_, &QSlider::valueChanged, this, [this](int value) {
     const double size_mm = double(value) / kSliderPerMm;

@@ -44,7 +44,9 @@ EditPresenter::~EditPresenter() { keepDraft(); }
 /// save.
 void EditPresenter::keepDraft() {
   try {
-    if (editor_ && autosave_ && editor_->revision() != saved_revision_) autosave_->saveNow(*editor_);
+    if (!editor_ || !autosave_ || editor_->state() == saved_state_) return;
+    is_draft_written_ = true;
+    autosave_->saveNow(*editor_);
   } catch (const std::exception& error) {  // the last autosave remains
     logWarning(std::string("the corrected brain's draft was not kept: ") + error.what());
   }
@@ -78,7 +80,8 @@ void EditPresenter::open() {
     const auto correction = steps::beginCorrection(c.store, c.mri->grid, c.brain_mask.get());
     editor_ = correction.editor;
     has_draft_ = correction.has_draft;
-    saved_revision_ = editor_->revision();
+    saved_state_ = editor_->state();
+    is_draft_written_ = false;
     followed_revision_ = has_draft_ ? ~editor_->revision() : editor_->revision();
     autosave_ = makeAutosave();
   } catch (const Error& error) {
@@ -91,6 +94,7 @@ void EditPresenter::open() {
 
 /// Passes the unsaved correction to the model: a sign-off is not valid beside it.
 void EditPresenter::tellDraft() {
+  dropNeedlessDraft();
   if (editor_ && model_.isOpen()) model_.setDraft(hasUnsaved() ? mask() : nullptr);
 }
 
@@ -273,31 +277,44 @@ void EditPresenter::redo() {
   emit maskChanged(false);
 }
 
-bool EditPresenter::hasUnsaved() const {
-  return editor_ && (has_draft_ || editor_->revision() != saved_revision_);
-}
+bool EditPresenter::hasUnsaved() const { return editor_ && (has_draft_ || editor_->state() != saved_state_); }
 
 void EditPresenter::autosave() {
-  if (!editor_ || editor_->revision() == saved_revision_ || tasks_.isRunning()) return;
-  guarded([&] { autosave_->tick(*editor_, Timestamp::now().s); });
+  if (!editor_ || editor_->state() == saved_state_ || tasks_.isRunning()) return;
+  guarded([&] {
+    is_draft_written_ = true;
+    autosave_->tick(*editor_, Timestamp::now().s);
+  });
+}
+
+/// Removes the draft when every stroke of this session was undone: nothing is unsaved then.
+void EditPresenter::dropNeedlessDraft() {
+  if (!editor_ || !is_draft_written_ || hasUnsaved() || tasks_.isRunning()) return;
+  try {
+    autosave_ = makeAutosave();  // waits for a write that runs
+    casefile::removeBrainDraft(model_.current().store);
+    is_draft_written_ = false;
+  } catch (const Error& error) {
+    logWarning(std::string("a draft that is not needed was not removed: ") + error.what());
+  }
 }
 
 void EditPresenter::save() {
   if (!hasUnsaved() || tasks_.isRunning()) return;
   editor_->endStroke();
   keepDraft();  // the save takes seconds, and the window may close before its end
-  const auto revision = editor_->revision();
+  const auto state = editor_->state();
   tasks_.start(tr("Saving the corrected brain"),
-               [this, revision, editor = editor_, mask = editor_->mask(), mri = model_.current().mri,
+               [this, state, editor = editor_, mask = editor_->mask(), mri = model_.current().mri,
                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
                  auto surfaces = steps::saveCorrection(store, *mri, mask, monitor);
                  auto brain = std::make_shared<surface::BrainModel>(std::move(surfaces.model));
                  const auto shown = casefile::seenFiles(store);
                  const auto status = casefile::signOffStatus(store);
                  auto saved = std::make_shared<volume::Mask>(mask);
-                 return [this, revision, editor, brain, saved, shown, status, folder = store.folder()] {
+                 return [this, state, editor, brain, saved, shown, status, folder = store.folder()] {
                    if (!model_.isOpen() || model_.current().store.folder() != folder) return;
-                   if (editor == editor_) noteSaved(revision);
+                   if (editor == editor_) noteSaved(state);
                    auto now = status;  // a sign-off is not valid beside a newer stroke
                    now.has_draft = hasUnsaved();
                    model_.setBrain(saved, brain, shown, now);
@@ -306,11 +323,11 @@ void EditPresenter::save() {
                });
 }
 
-/// Removes the draft, unless strokes came after the saved revision: then it is kept.
-void EditPresenter::noteSaved(std::uint64_t revision) {
-  saved_revision_ = revision;
+/// Removes the draft, unless strokes came after the saved state: then it is kept.
+void EditPresenter::noteSaved(std::uint64_t state) {
+  saved_state_ = state;
   has_draft_ = false;
-  if (editor_->revision() == revision) casefile::removeBrainDraft(model_.current().store);
+  if (editor_->state() == state) casefile::removeBrainDraft(model_.current().store);
 }
 
 void EditPresenter::discard() {

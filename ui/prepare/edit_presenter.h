@@ -84,12 +84,13 @@ class EditPresenter : public QObject, public SliceTool {
  private:
   void open();
   void keepDraft();
-  void noteSaved(std::uint64_t revision);
+  void noteSaved(std::uint64_t state);
   std::unique_ptr<editing::MaskAutosave> makeAutosave() const;
   void dab(const volume::SlicePlane& plane, const Eigen::Vector2d& from_px, const Eigen::Vector2d& to_px);
   void finish(const QString& name, const editing::MaskChange& change);
   void noteSlice(const volume::SlicePlane& plane);
   void autosave();
+  void dropNeedlessDraft();
   void follow();
   void tellDraft();
   template <class Action>
@@ -99,8 +100,9 @@ class EditPresenter : public QObject, public SliceTool {
   TaskRunner& tasks_;
   std::shared_ptr<editing::MaskEditor> editor_;
   std::unique_ptr<editing::MaskAutosave> autosave_;  // of the case that the editor works on
-  std::uint64_t saved_revision_ = 0;
-  bool has_draft_ = false;
+  std::uint64_t saved_state_ = 0;
+  bool has_draft_ = false;         // of an earlier session
+  bool is_draft_written_ = false;  // in this one
   EditTool tool_ = EditTool::none;
   double radius_mm_ = 5.0, cut_depth_mm_ = 10.0;
   bool is_ball_ = false, is_inverse_ = false;

@@ -3,6 +3,8 @@
 #include <QFileInfo>
 
 #include "facenav/dicom/patient.h"
+#include "facenav/prepare/finding_place.h"
+#include "facenav/volume/voxel_size.h"
 
 namespace facenav::ui {
 namespace {
@@ -120,11 +122,13 @@ std::vector<FindingLine> PreparePresenter::findings() const {
                        .arg(spacing_mm.x(), 0, 'f', 2)
                        .arg(spacing_mm.y(), 0, 'f', 2)
                        .arg(spacing_mm.z(), 0, 'f', 2),
-                   spacing_mm.maxCoeff() > volume::kNavigationVoxel_mm});
+                   volume::voxelSizeOf(spacing_mm.maxCoeff()) != volume::VoxelSize::fine});
   lines.push_back(
       {c.scalp->has_face ? tr("a face to align to") : tr("no face to align to"), !c.scalp->has_face});
   if (c.brain_mask) lines.push_back({tr("brain %1 ml").arg(std::lround(c.brain_mask->volume_ml())), false});
-  for (const auto& finding : c.findings) lines.push_back({QString::fromStdString(finding), true});
+  for (const auto& finding : c.findings)
+    lines.push_back({QString::fromStdString(finding), true,
+                     steps::placeOfFinding(finding, *c.scalp, c.atlas ? &*c.atlas : nullptr)});
   return lines;
 }
 

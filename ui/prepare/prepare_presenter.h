@@ -20,6 +20,7 @@ struct SeriesLine {
 struct FindingLine {
   QString words;
   bool is_caution = false;
+  std::optional<Point<Mri>> place = {};  // of the head that it speaks of
 };
 
 class PreparePresenter : public QObject {

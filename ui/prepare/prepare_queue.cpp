@@ -11,6 +11,7 @@
 #include <QTime>
 #include <QUuid>
 #include <algorithm>
+#include <cmath>
 
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
@@ -20,6 +21,7 @@ namespace facenav::ui {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr int kTick_ms = 500, kUsualDuration_ms = 25000;
 constexpr int kBackground = 10;  // niceness; the work's own threads inherit it
 const char* const kStored = "queue/inputs";
 const char* const kPatientLabel = "queue/patient_label";
@@ -84,6 +86,8 @@ PrepareQueue::PrepareQueue(const Services& services, QObject* parent) : QObject(
       emit progressed();
     }
   });
+  tick_.setInterval(kTick_ms);
+  connect(&tick_, &QTimer::timeout, this, [this] { tasks_.isRunning() ? emit progressed() : tick_.stop(); });
   connect(&tasks_, &TaskRunner::cancelled, this, [this] { end(JobState::cancelled, {}); });
   connect(&tasks_, &TaskRunner::failed, this, [this](const QString& words) { end(JobState::failed, words); });
 }
@@ -182,6 +186,7 @@ void PrepareQueue::begin() {
   next->fraction = 0.0;
   running_ = next->id;
   elapsed_.start();
+  tick_.start();
   const PrepareOrder order{fs::path(next->input.toStdString()), {}, next->series_uid, labelsByPatient()};
   const fs::path cases(cases_folder_.toStdString());
   const bool is_volume = isNifti(next->input);
@@ -255,6 +260,15 @@ void PrepareQueue::restore() {
     const auto is_known = [&](const auto& job) { return job.input == left.absoluteFilePath(); };
     if (std::none_of(jobs_.begin(), jobs_.end(), is_known)) forgetReceived(left.absoluteFilePath());
   }
+}
+
+double PrepareQueue::doneShare() const {
+  constexpr double kMost = 0.99, kBend = 0.9;  // beyond the expected time the share creeps on
+  if (!tasks_.isRunning()) return 0;
+  const double last_ms = double(QSettings().value(kLastDuration, 0).toLongLong());
+  const double share = double(elapsed_.elapsed()) / (last_ms > 0 ? last_ms : double(kUsualDuration_ms));
+  if (share <= kBend) return share;
+  return kMost - (kMost - kBend) * std::exp(-(share - kBend) / (kMost - kBend));
 }
 
 QString PrepareQueue::timeWords() const {

@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <deque>
 #include <memory>
 
@@ -59,6 +60,9 @@ class PrepareQueue : public QObject {
   const std::deque<PrepareJob>& jobs() const { return jobs_; }
   const PrepareJob* job(int id) const;
   bool isRunning() const { return tasks_.isRunning(); }
+  /// Share of the running job that is done, judged by the last job's duration; never falls, 1 only at its
+  /// end.
+  double doneShare() const;
   /// "22 s, about 14 s left"; empty if no job runs.
   QString timeWords() const;
   /// "preparing 1, 2 waiting"; empty if there is no job.
@@ -85,6 +89,7 @@ class PrepareQueue : public QObject {
   std::deque<PrepareJob> jobs_;
   QString cases_folder_;
   QElapsedTimer elapsed_;
+  QTimer tick_;  // the share moves between the work's own reports, too
   std::unique_ptr<QLockFile> only_window_;
   int last_id_ = 0, running_ = 0;
   bool is_held_ = false;

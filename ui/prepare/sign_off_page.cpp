@@ -17,6 +17,8 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kMissingLines = 3;
+
 QLabel* wrapped(QWidget* parent, const char* name) {
   auto* label = new QLabel(parent);
   label->setObjectName(name);
@@ -61,19 +63,23 @@ QWidget* SignOffPage::makePanel() {
   name_->setPlaceholderText(tr("your name or initials"));
   name_->setToolTip(tr("kept with the case and remembered here; never the patient's name"));
   note_ = new QLineEdit(panel);
-  note_->setPlaceholderText(tr("note (optional)"));
   note_->setToolTip(tr("kept with the sign-off; no patient's name"));
   sign_ = new QPushButton(tr("Sign off"), panel);
   sign_->setObjectName("primary");
   sign_->setToolTip(tr("the case may then be treated (Ctrl+Return)"));
   sign_->setShortcut(Qt::CTRL + Qt::Key_Return);
+  reject_ = new QPushButton(tr("Reject: ask for a new scan"), panel);
+  reject_->setToolTip(tr("needs your name and a reason; the worklist shows them, and the scan is not used"));
   missing_ = wrapped(panel, "muted");
+  missing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  missing_->setMinimumHeight(kMissingLines * missing_->fontMetrics().lineSpacing());  // fields stay in place
   column->addWidget(status_);
   column->addWidget(volumes_);
   column->addWidget(heading);
   column->addWidget(items_, 1);
-  for (QWidget* each : {static_cast<QWidget*>(name_), static_cast<QWidget*>(note_),
-                        static_cast<QWidget*>(missing_), static_cast<QWidget*>(sign_)})
+  for (QWidget* each :
+       {static_cast<QWidget*>(name_), static_cast<QWidget*>(note_), static_cast<QWidget*>(missing_),
+        static_cast<QWidget*>(sign_), static_cast<QWidget*>(reject_)})
     column->addWidget(each);
   connect(items_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     if (!is_filling_) presenter_.setSeen(items_->row(item), item->checkState() == Qt::Checked);
@@ -81,6 +87,7 @@ QWidget* SignOffPage::makePanel() {
   connect(name_, &QLineEdit::textChanged, &presenter_, &SignOffPresenter::setName);
   connect(note_, &QLineEdit::textChanged, &presenter_, &SignOffPresenter::setNote);
   connect(sign_, &QPushButton::clicked, &presenter_, &SignOffPresenter::sign);
+  connect(reject_, &QPushButton::clicked, &presenter_, &SignOffPresenter::reject);
   return panel;
 }
 
@@ -119,7 +126,14 @@ void SignOffPage::showState() {
   showTicks();
   items_->setEnabled(!presenter_.holds());
   sign_->setEnabled(presenter_.canSign());
-  missing_->setText(presenter_.holds() ? QString() : presenter_.whatIsMissing());
+  reject_->setEnabled(presenter_.canReject());
+  note_->setPlaceholderText(presenter_.isNotUsable() ? tr("reason (the scan is not usable)")
+                                                     : tr("note; the reason if you reject the scan"));
+  const bool is_rejected = model_.isOpen() && model_.current().sign_off.rejection;
+  const QString asks = presenter_.whatToAskFor();
+  missing_->setText(presenter_.holds()               ? QString()
+                    : is_rejected && !asks.isEmpty() ? tr("ask for: %1").arg(asks)
+                                                     : presenter_.whatIsMissing());
 }
 
 void SignOffPage::showEvent(QShowEvent*) {

@@ -38,7 +38,7 @@ class SignOffPage : public QWidget {
   QLabel *status_, *volumes_, *missing_;
   QListWidget* items_;
   QLineEdit *name_, *note_;
-  QPushButton* sign_;
+  QPushButton *sign_, *reject_;
   bool is_outdated_ = false, is_filling_ = false;
 };
 

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "facenav/anatomy/brain_norms.h"
+#include "facenav/casefile/navigation_check_file.h"
+#include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/prepare/sign_off_gate.h"
 
 namespace facenav::ui {
@@ -21,12 +24,37 @@ SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject*
     for (const auto& finding : model_.current().findings) items_ << QString::fromStdString(finding);
     seen_.assign(std::size_t(items_.size()), false);
     note_.clear();
+    readCheck();
     emit changed();
   };
   connect(&model_, &CaseModel::opened, this, beginAnew);
   connect(&model_, &CaseModel::brainChanged, this, beginAnew);  // the ticks belonged to other outlines
   connect(&model_, &CaseModel::draftChanged, this, beginAnew);
   connect(&model_, &CaseModel::signOffChanged, this, &SignOffPresenter::changed);
+}
+
+/// Reads the import check's verdict, and what it asks for.
+void SignOffPresenter::readCheck() {
+  asks_.clear();
+  is_not_usable_ = false;
+  try {
+    const auto check = casefile::navigationCheckOf(model_.current().store);
+    if (!check) return;
+    is_not_usable_ = check->verdict() == surface::Verdict::not_usable;
+    for (const auto& finding : check->findings) {
+      const QString ask = QString::fromStdString(finding.ask);
+      if (finding.verdict != surface::Verdict::fine && !ask.isEmpty() && !asks_.contains(ask)) asks_ << ask;
+    }
+  } catch (const Error& error) {  // a damaged check: nobody knows that the scan is usable
+    is_not_usable_ = true;
+    logWarning(error.what());
+  }
+}
+
+void SignOffPresenter::setNote(const QString& note) {
+  if (note == note_) return;
+  note_ = note;
+  emit changed();
 }
 
 void SignOffPresenter::setSeen(int item, bool is_seen) {
@@ -64,8 +92,13 @@ std::vector<VolumeLine> SignOffPresenter::volumes() const {
 
 QString SignOffPresenter::whatIsMissing() const {
   if (!model_.isOpen()) return tr("no case is open");
-  steps::SignOffClaim claim{name_.trimmed().toStdString(), false, seen_, holds(),
-                            model_.current().sign_off.has_draft};
+  steps::SignOffClaim claim{name_.trimmed().toStdString(),
+                            false,
+                            seen_,
+                            holds(),
+                            model_.current().sign_off.has_draft,
+                            is_not_usable_,
+                            note_.trimmed().toStdString()};
   if (!seen_.empty()) {  // item 0 is the outlines
     claim.outlines_seen = seen_.front();
     claim.findings_seen.erase(claim.findings_seen.begin());
@@ -81,6 +114,8 @@ QString SignOffPresenter::whatIsMissing() const {
       return tr("%1 of %2 still to be ticked").arg(missing.front().open).arg(missing.front().all);
     case steps::SignOffGap::no_name:
       return tr("your name or initials are missing");
+    case steps::SignOffGap::no_reason:
+      return tr("the scan is not usable: give the reason why it is signed off all the same, or reject it");
   }
   return {};
 }
@@ -89,19 +124,36 @@ bool SignOffPresenter::canSign() const { return !tasks_.isRunning() && whatIsMis
 
 void SignOffPresenter::sign() {
   if (!canSign()) return;
-  const QString name = name_.trimmed();
-  QSettings().setValue(kName, name);
-  const casefile::SignOffRequest request{name.toStdString(), note_.trimmed().toStdString(), true,
+  const casefile::SignOffRequest request{name_.trimmed().toStdString(), note_.trimmed().toStdString(), true,
                                          model_.current().shown_sha256};
-  tasks_.start(tr("Signing off"),
-               [this, request, store = model_.current().store](TaskMonitor&) -> TaskRunner::Delivery {
-                 casefile::signOff(store, request);
-                 const auto status = casefile::signOffStatus(store);
-                 return [this, status, folder = store.folder()] {
-                   if (model_.isOpen() && model_.current().store.folder() == folder)
-                     model_.setSignOff(status);
-                 };
-               });
+  start(tr("Signing off"),
+        [request](const casefile::CaseStore& store) { casefile::signOff(store, request); });
+}
+
+bool SignOffPresenter::canReject() const {
+  return model_.isOpen() && !tasks_.isRunning() && !name_.trimmed().isEmpty() && !note_.trimmed().isEmpty() &&
+         !model_.current().sign_off.rejection;
+}
+
+void SignOffPresenter::reject() {
+  if (!canReject()) return;
+  start(tr("Rejecting the scan"),
+        [by = name_.trimmed().toStdString(), reason = note_.trimmed().toStdString()](
+            const casefile::CaseStore& store) { casefile::rejectScan(store, by, reason); });
+}
+
+/// Writes into the case and shows its state then. Remembers the name.
+void SignOffPresenter::start(const QString& title, std::function<void(const casefile::CaseStore&)> write) {
+  QSettings().setValue(kName, name_.trimmed());
+  tasks_.start(
+      title,
+      [this, write = std::move(write), store = model_.current().store](TaskMonitor&) -> TaskRunner::Delivery {
+        write(store);
+        const auto status = casefile::signOffStatus(store);
+        return [this, status, folder = store.folder()] {
+          if (model_.isOpen() && model_.current().store.folder() == folder) model_.setSignOff(status);
+        };
+      });
 }
 
 bool SignOffPresenter::holds() const { return model_.isOpen() && model_.current().sign_off.holds(); }

@@ -53,6 +53,12 @@ WorklistRow rowOf(const casefile::WorklistEntry& entry) {
       row.state = WorklistPresenter::tr("planned");
       row.state_order = 6;
       break;
+    case casefile::CaseState::rejected:
+      row.state = WorklistPresenter::tr("rejected");
+      row.state_order = 8;
+      row.mark = Mark::fault;
+      row.detail = WorklistPresenter::tr("by %1").arg(QString::fromStdString(entry.rejection));
+      break;
   }
   return row;
 }
@@ -71,8 +77,10 @@ WorklistRow rowOf(const PrepareJob& job, const PrepareQueue& queue) {
     case JobState::preparing:
       row.state = WorklistPresenter::tr("preparing");
       row.state_order = 2;
-      row.fraction = job.fraction;
-      row.detail = QStringList{job.step, queue.timeWords()}.join("   ");
+      row.fraction = queue.doneShare();
+      row.detail =
+          QStringList{WorklistPresenter::tr("%1 %").arg(int(100 * row.fraction)), queue.timeWords(), job.step}
+              .join("   ");
       break;
     case JobState::needs_choice:
       row.state = WorklistPresenter::tr("new");

@@ -93,6 +93,10 @@ QString dayInWords(const std::string& utc) {
 }
 
 QString signOffWords(const casefile::SignOffStatus& status) {
+  if (const auto& rejection = status.rejection)
+    return CaseModel::tr("scan rejected %1 by %2: %3")
+        .arg(dayInWords(rejection->utc), QString::fromStdString(rejection->by),
+             QString::fromStdString(rejection->reason));
   const QString not_saved = CaseModel::tr("a correction of the brain is not saved");
   if (!status.last)
     return status.has_draft ? CaseModel::tr("not signed off, %1").arg(not_saved)

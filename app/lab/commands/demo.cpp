@@ -45,7 +45,7 @@ void addDemo(CLI::App& app, Context& context) {
       virtualPatientFiles(context);
       return;
     }
-    const bool has_display = scene::hasDisplay();
+    const bool has_display = scene::canDrawScenes();
     const auto figures = runDemo(context, *request);
     const auto folder = std::filesystem::absolute(request->folder);
     if (!context.is_quiet) {

@@ -212,7 +212,7 @@ DemoFigures runDemo(Context& context, const DemoRequest& request) {
   ResultFolder result(request.folder, "report.html", "a demo");
   const fs::path& folder = result.path();
   std::optional<VirtualDisplay> display;
-  if (!scene::hasDisplay()) display.emplace();
+  if (!scene::canDrawScenes()) display.emplace();
   const auto patient_files = virtualPatientFiles(context);
   watch.lap("virtual patient");
 

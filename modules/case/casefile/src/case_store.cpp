@@ -5,6 +5,8 @@
 #include <future>
 
 #include "case_json.h"
+#include "case_path.h"
+#include "facenav/casefile/case_place.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/file_group.h"
 #include "facenav/casefile/kept_session.h"
@@ -19,14 +21,7 @@ namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path cleaned(const fs::path& folder) {
-  fs::path path = fs::absolute(folder).lexically_normal();
-  return path.has_filename() ? path : path.parent_path();
-}
-
 constexpr char kScalpField[] = "scalp_field.bin", kMri[] = "mri.nii.gz";
-
-bool isCase(const fs::path& folder) { return fs::is_regular_file(folder / "case.json"); }
 
 bool has(const CaseJson& content, const std::string& file) {
   for (const std::string& name : content.files)
@@ -38,13 +33,6 @@ void requireMri(const CaseStore& store) {
   if (!store.hasMri())
     throw Error("this case holds no MRI, only the face as cameras measured it", store.folder().string(),
                 "use it with 'facenav-gui --home' or 'facenav track'");
-}
-
-void requireReplaceable(const fs::path& folder, bool replace) {
-  if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) return;
-  if (!isCase(folder)) throw Error("exists and is no case", folder.string(), "choose another folder");
-  if (!replace)
-    throw Error("a case exists there already", folder.string(), "choose another folder, or replace it");
 }
 
 std::vector<std::string> writeContent(const PreparedCase& prepared, const fs::path& folder) {

@@ -15,7 +15,7 @@ namespace facenav::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr char kSignOffFile[] = "sign_off.json";
+constexpr char kSignOffFile[] = "sign_off.json", kRejectionFile[] = "rejection.json";
 
 void requireWillingness(const SignOffRequest& request, const std::vector<std::string>& findings) {
   if (request.by.empty())
@@ -60,6 +60,7 @@ void write(const SignOff& sign_off, const fs::path& path) {
 }
 
 CaseState stateOf(const CaseStore& store, const SignOffStatus& status) {
+  if (status.rejection) return CaseState::rejected;
   if (!status.holds()) return CaseState::prepared;
   return store.targets().targets.empty() ? CaseState::checked : CaseState::planned;
 }
@@ -104,6 +105,7 @@ WorklistEntry entryOf(const fs::path& folder, const std::vector<WorklistEntry>& 
     entry.findings = store.findings();
     const auto status = signOffStatus(store);
     if (status.holds()) entry.checked_by = status.last->by;
+    if (status.rejection) entry.rejection = status.rejection->by + ": " + status.rejection->reason;
     entry.state = stateOf(store, status);
   } catch (const Error& error) {
     entry = {};
@@ -124,6 +126,8 @@ std::string toString(CaseState state) {
       return "checked";
     case CaseState::planned:
       return "planned";
+    case CaseState::rejected:
+      return "rejected";
   }
   return {};
 }
@@ -146,12 +150,31 @@ SignOff signOff(const CaseStore& store, const SignOffRequest& request) {
   requireUnchanged(request, sign_off.seen_sha256);
   if (const auto brain = store.brainMask()) sign_off.brain_ml = brain->volume_ml();
   write(sign_off, store.folder() / kSignOffFile);
+  fs::remove(store.folder() / kRejectionFile);  // after the sign-off: a crash between leaves it rejected
   return sign_off;
+}
+
+Rejection rejectScan(const CaseStore& store, const std::string& by, const std::string& reason) {
+  if (by.empty()) throw Error("no name given: say who rejects the scan", {}, "give a name or initials");
+  if (reason.empty())
+    throw Error("no reason given: say why the scan is rejected", {}, "give it in a few words");
+  requireName(by, "the name of who rejects");
+  requireNote(reason, "the reason");
+  const Rejection rejection{by, utcNow(), reason};
+  const nlohmann::ordered_json json{{"by", by}, {"utc", rejection.utc}, {"reason", reason}};
+  writeWholeFile(store.folder() / kRejectionFile,
+                 json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+                 FileAccess::owner_only);
+  return rejection;
 }
 
 SignOffStatus signOffStatus(const CaseStore& store) {
   SignOffStatus status;
   status.has_draft = hasBrainDraft(store);
+  if (const fs::path rejected = store.folder() / kRejectionFile; fs::exists(rejected)) {
+    const JsonReader json = JsonReader::readFile(rejected);
+    status.rejection = Rejection{json.at("by").text(), json.at("utc").text(), json.at("reason").text()};
+  }
   const fs::path path = store.folder() / kSignOffFile;
   if (!fs::exists(path)) return status;
   status.last = readSignOff(path);

@@ -71,16 +71,13 @@ void writeAtlasMap(const AtlasMap& map, const std::filesystem::path& path) {
   image->SetSpacing(spacing_mm.data());
   image->GetPointData()->AddArray(displacementArray(map.displacement_mm()));
   image->GetFieldData()->AddArray(affineArray(map.affine()));
-  WholeFile file(path);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(file.temporaryPath().c_str());
+  writer->WriteToOutputStringOn();  // on a full disk VTK would write many lines to the terminal
   writer->SetCompressor(volume::fastCompressor());
   writer->EncodeAppendedDataOff();
-  if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw Error("the atlas registration could not be written", path.string(),
-                "check free disk space and permissions");
-  file.commit();
+  if (writer->Write() != 1) throw Error("the atlas registration could not be encoded", path.string());
+  writeWholeFile(path, writer->GetOutputString());
 }
 
 AtlasMap readAtlasMap(const std::filesystem::path& path) {

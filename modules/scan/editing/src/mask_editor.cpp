@@ -31,7 +31,7 @@ void MaskEditor::flipNow(const MaskChange& change) {
 void MaskEditor::remember(const std::string& name, MaskChange change) {
   if (change.empty()) return;
   steps_.resize(done_);
-  steps_.push_back({name, pack(std::move(change))});
+  steps_.push_back({name, pack(std::move(change)), ++last_state_});
   done_ = steps_.size();
 }
 
@@ -83,6 +83,11 @@ std::optional<std::string> MaskEditor::redo() {
   if (done_ == steps_.size()) return std::nullopt;
   flipNow(unpack(steps_[done_++].change));
   return steps_[done_ - 1].name;
+}
+
+std::uint64_t MaskEditor::state() const {
+  if (!stroke_.empty()) return ~revision_;
+  return done_ == 0 ? 0 : steps_[done_ - 1].state;
 }
 
 std::vector<std::string> MaskEditor::steps() const {

@@ -3,23 +3,38 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "facenav/dicom/character_set.h"
+#include "held_syntaxes.h"
 #include "scu.h"
+#include "storage_classes.h"
 
 namespace facenav::pacs {
 namespace {
 
 constexpr std::size_t kMostAnswers = 5000;
 
-/// Plain text of an element. Control characters are replaced by blanks, since the text comes from outside and
-/// is shown to people.
-std::string textOf(DcmDataset& data, const DcmTagKey& tag) {
+std::string rawText(DcmDataset& data, const DcmTagKey& tag) {
+  constexpr std::size_t kLongest = 1024;
   OFString value;
   if (data.findAndGetOFStringArray(tag, value).bad()) return {};
-  std::string text(value.c_str(), std::min<std::size_t>(value.size(), 256));
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return {value.c_str(), std::min<std::size_t>(value.size(), kLongest)};
+}
+
+std::string withoutBlanksAtEnd(std::string text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
   return text;
+}
+
+/// Text of an element, decoded by the answer's character set. Control characters are replaced by blanks,
+/// since the text comes from outside and is shown to people.
+std::string textOf(DcmDataset& data, const DcmTagKey& tag) {
+  const std::string set = rawText(data, DCM_SpecificCharacterSet);
+  return dicom::onOneLine(dicom::toUtf8(withoutBlanksAtEnd(rawText(data, tag)), set));
+}
+
+std::string nameOfPerson(DcmDataset& data, const DcmTagKey& tag) {
+  const std::string set = rawText(data, DCM_SpecificCharacterSet);
+  return dicom::personNameToUtf8(withoutBlanksAtEnd(rawText(data, tag)), set);
 }
 
 int integerOf(DcmDataset& data, const DcmTagKey& tag) {
@@ -70,6 +85,9 @@ void ask(DcmSCU& scu, const PacsNode& node, DcmDataset& keys, TaskMonitor& monit
 }
 
 void put(DcmDataset& keys, const DcmTagKey& tag, const std::string& value) {
+  const bool is_plain =
+      std::all_of(value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  if (!is_plain) keys.putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");  // what is typed is UTF-8
   keys.putAndInsertString(tag, value.c_str());
 }
 
@@ -89,7 +107,7 @@ std::vector<PacsSeries> findStudies(DcmSCU& scu, const PacsNode& node, const Pac
     study.study_description = textOf(answer, DCM_StudyDescription);
     study.date = isoDate(textOf(answer, DCM_StudyDate));
     study.patient_id = textOf(answer, DCM_PatientID);
-    study.patient_name = textOf(answer, DCM_PatientName);
+    study.patient_name = nameOfPerson(answer, DCM_PatientName);
     if (!study.study_uid.empty()) studies.push_back(std::move(study));
   });
   return studies;
@@ -114,16 +132,58 @@ void findSeriesOf(const PacsSeries& study, DcmSCU& scu, const PacsNode& node, co
   });
 }
 
+const std::vector<std::string>& plainSyntaxes() {
+  static const std::vector<std::string> kPlain{UID_LittleEndianExplicitTransferSyntax,
+                                               UID_LittleEndianImplicitTransferSyntax};
+  return kPlain;
+}
+
+/// Adds to `held` the UIDs of `listed`, separated by backslashes, that the importer reads.
+void addReadable(const std::string& listed, std::vector<std::string>& held) {
+  for (const std::string& syntax : imageSyntaxes())
+    if (("\\" + listed + "\\").find("\\" + syntax + "\\") != std::string::npos &&
+        std::find(held.begin(), held.end(), syntax) == held.end())
+      held.push_back(syntax);
+}
+
 }  // namespace
+
+std::vector<std::string> heldSyntaxes(const PacsNode& node, const std::string& study_uid,
+                                      const std::string& series_uid, TaskMonitor& monitor) {
+  DcmDataset keys;
+  put(keys, DCM_QueryRetrieveLevel, "IMAGE");
+  put(keys, DCM_StudyInstanceUID, study_uid);
+  put(keys, DCM_SeriesInstanceUID, series_uid);
+  put(keys, DCM_SOPInstanceUID, "");
+  put(keys, DCM_AvailableTransferSyntaxUID, "");
+  // The echo service is offered too, so that an archive without C-FIND does not refuse the connection.
+  return withAssociation<FindScu>(
+      node,
+      {{UID_FINDStudyRootQueryRetrieveInformationModel, plainSyntaxes()},
+       {UID_VerificationSOPClass, {UID_LittleEndianImplicitTransferSyntax}}},
+      [&](DcmSCU& scu) {
+        std::vector<std::string> held;
+        if (scu.findPresentationContextID(UID_FINDStudyRootQueryRetrieveInformationModel, "") == 0)
+          return held;
+        try {
+          ask(scu, node, keys, monitor,
+              [&](DcmDataset& answer) { addReadable(textOf(answer, DCM_AvailableTransferSyntaxUID), held); });
+        } catch (const Cancelled&) {
+          throw;
+        } catch (const Error&) {  // an archive that does not know this key: the retrieval tries each form
+          held.clear();
+        }
+        return held;
+      },
+      monitor);
+}
 
 std::vector<PacsSeries> findSeries(const PacsNode& node, const PacsQuery& query, TaskMonitor& monitor) {
   if (query.patient_id.empty() && query.patient_name.empty() && query.study_date.empty() &&
       query.study_uid.empty())
     throw Error("the search is empty", nameOf(node), "give a patient id, a study date, or a study UID");
-  const std::vector<std::string> syntaxes{UID_LittleEndianExplicitTransferSyntax,
-                                          UID_LittleEndianImplicitTransferSyntax};
   return withAssociation<FindScu>(
-      node, {{UID_FINDStudyRootQueryRetrieveInformationModel, syntaxes}},
+      node, {{UID_FINDStudyRootQueryRetrieveInformationModel, plainSyntaxes()}},
       [&](DcmSCU& scu) {
         const auto studies = findStudies(scu, node, query, monitor);
         std::vector<PacsSeries> found;

@@ -15,6 +15,8 @@ class IncomingFolder {
   explicit IncomingFolder(const std::filesystem::path& folder);
 
   const std::filesystem::path& path() const { return folder_.temporaryPath(); }
+  /// Removes what an attempt left, before the next one.
+  void clear() const;
   /// Renames the files to 000001.dcm .. (0600) and moves the folder to its final name. Returns the number of
   /// files.
   int commit();

@@ -1,6 +1,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include "facenav/core/error.h"
+#include "held_syntaxes.h"
 #include "incoming.h"
 #include "scu.h"
 #include "storage_classes.h"
@@ -76,11 +77,11 @@ const std::vector<std::string> kPlain{UID_LittleEndianExplicitTransferSyntax,
                                       UID_LittleEndianImplicitTransferSyntax};
 
 /// False if the archive does not offer C-GET.
-bool tryGet(const PacsNode& node, DcmDataset& keys, const std::filesystem::path& folder, Outcome& outcome,
-            TaskMonitor& monitor) {
+bool tryGet(const PacsNode& node, DcmDataset& keys, const std::vector<std::string>& syntaxes,
+            const std::filesystem::path& folder, Outcome& outcome, TaskMonitor& monitor) {
   std::vector<Offer> offers{{UID_GETStudyRootQueryRetrieveInformationModel, kPlain}};
   for (const auto& kind : imageClasses())
-    for (const auto& syntax : imageSyntaxes()) offers.push_back({kind, {syntax}, true});
+    for (const auto& syntax : syntaxes) offers.push_back({kind, {syntax}, true});
   return withAssociation<RetrieveScu>(
       node, offers,
       [&](DcmSCU& scu) {
@@ -97,9 +98,9 @@ bool tryGet(const PacsNode& node, DcmDataset& keys, const std::filesystem::path&
       monitor, folder, outcome);
 }
 
-void move(const PacsNode& node, DcmDataset& keys, const std::filesystem::path& folder, Outcome& outcome,
-          TaskMonitor& monitor) {
-  const StorageProvider provider(node, folder);
+void move(const PacsNode& node, DcmDataset& keys, const std::vector<std::string>& syntaxes,
+          const std::filesystem::path& folder, Outcome& outcome, TaskMonitor& monitor) {
+  const StorageProvider provider(node, folder, syntaxes);
   withAssociation<RetrieveScu>(
       node, {{UID_MOVEStudyRootQueryRetrieveInformationModel, kPlain}},
       [&](DcmSCU& scu) {
@@ -111,6 +112,21 @@ void move(const PacsNode& node, DcmDataset& keys, const std::filesystem::path& f
         if (!monitor.isCancelled()) require(condition, node, "receiving");
       },
       monitor, folder, outcome);
+}
+
+/// True if images failed that the archive may be able to send in another form.
+bool mayDependOnForm(const Outcome& outcome) {
+  return outcome.failed > 0 || (outcome.status & 0xFF00) == 0xA700;
+}
+
+/// Requests the series in one set of forms. Returns the way it went.
+Retrieval request(const PacsNode& node, DcmDataset& keys, const std::vector<std::string>& syntaxes,
+                  const std::filesystem::path& folder, Retrieval how, Outcome& outcome,
+                  TaskMonitor& monitor) {
+  if (how != Retrieval::move && tryGet(node, keys, syntaxes, folder, outcome, monitor)) return Retrieval::get;
+  if (how == Retrieval::get) throw Error("the archive offers no C-GET", nameOf(node), "use C-MOVE");
+  move(node, keys, syntaxes, folder, outcome, monitor);
+  return Retrieval::move;
 }
 
 }  // namespace
@@ -125,13 +141,14 @@ Received retrieve(const PacsNode& node, const std::string& study_uid, const std:
   putKeys(keys, study_uid, series_uid);
   Outcome outcome;
   Received received;
-  received.how = Retrieval::get;
-  if (how == Retrieval::move || !tryGet(node, keys, incoming.path(), outcome, monitor)) {
-    if (how == Retrieval::get) throw Error("the archive offers no C-GET", nameOf(node), "use C-MOVE");
-    received.how = Retrieval::move;
-    move(node, keys, incoming.path(), outcome, monitor);
+  for (const auto& syntaxes : syntaxesToTry(heldSyntaxes(node, study_uid, series_uid, monitor))) {
+    incoming.clear();
+    outcome = {};
+    received.how = request(node, keys, syntaxes, incoming.path(), how, outcome, monitor);
+    how = received.how;
+    if (monitor.isCancelled()) throw Cancelled();
+    if (!mayDependOnForm(outcome)) break;
   }
-  if (monitor.isCancelled()) throw Cancelled();
   requireStatus(outcome.status, node, "receiving");
   if (outcome.failed > 0)
     throw Error(std::to_string(outcome.failed) + " images could not be received", nameOf(node), "try again");

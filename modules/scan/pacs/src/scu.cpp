@@ -8,6 +8,7 @@
 
 #include <mutex>
 
+#include "dimse_status.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 
@@ -116,13 +117,8 @@ void requireStatus(unsigned status, const PacsNode& node, const std::string& doi
   if (status == 0 || status == kPending || status == kPendingToo ||
       (status >= kWarningsFrom && status <= kWarningsTo))
     return;
-  const std::string code = formatted("0x%04X", status);
-  const std::string words = status == 0xA801
-                                ? "the archive does not know '" + node.own_title + "' as a place to send to"
-                            : status == 0xFE00            ? "it was cancelled"
-                            : (status & 0xFF00) == 0xA700 ? "the archive is out of resources"
-                                                          : "the archive reports a failure";
-  throw Error(words + " while " + doing + " (status " + code + ")", nameOf(node), "ask its administrator");
+  const auto [words, remedy] = statusInWords(status, node.own_title);
+  throw Error(words + " while " + doing + formatted(" (status 0x%04X)", status), nameOf(node), remedy);
 }
 
 }  // namespace facenav::pacs

@@ -3,6 +3,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
+#include <set>
+
 namespace facenav::pacs {
 
 const std::vector<std::string>& imageClasses() {
@@ -21,6 +23,21 @@ const std::vector<std::string>& imageSyntaxes() {
       UID_JPEG2000LosslessOnlyTransferSyntax, UID_JPEG2000TransferSyntax,
       UID_JPEGProcess2_4TransferSyntax,       UID_RLELosslessTransferSyntax};
   return syntaxes;
+}
+
+std::vector<std::vector<std::string>> syntaxesToTry(const std::vector<std::string>& held) {
+  const std::set<std::string> plain{
+      UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax,
+      UID_BigEndianExplicitTransferSyntax, UID_DeflatedExplicitVRLittleEndianTransferSyntax};
+  std::vector<std::vector<std::string>> sets;
+  if (!held.empty()) sets.push_back(held);
+  sets.push_back(imageSyntaxes());
+  std::vector<std::string> compressed;
+  for (const auto& syntax : imageSyntaxes())
+    if (!plain.count(syntax)) compressed.push_back(syntax);
+  sets.push_back(compressed);
+  for (const auto& syntax : compressed) sets.push_back({syntax});
+  return sets;
 }
 
 }  // namespace facenav::pacs

@@ -28,7 +28,8 @@ struct StorageProvider::Listener : DcmStorageSCP {
   }
 };
 
-StorageProvider::StorageProvider(const PacsNode& node, const std::filesystem::path& folder)
+StorageProvider::StorageProvider(const PacsNode& node, const std::filesystem::path& folder,
+                                 const std::vector<std::string>& syntaxes)
     : listener_(std::make_unique<Listener>()) {
   prepareDcmtk();
   listener_->own_title = node.own_title;
@@ -43,9 +44,9 @@ StorageProvider::StorageProvider(const PacsNode& node, const std::filesystem::pa
   listener_->setOutputDirectory(folder.c_str());
   listener_->setFilenameGenerationMode(DcmStorageSCP::FGM_UniqueFromNewUID);  // no names from outside
   listener_->setDatasetStorageMode(DcmStorageSCP::DGM_StoreBitPreserving);
-  OFList<OFString> syntaxes;
-  for (const auto& syntax : imageSyntaxes()) syntaxes.push_back(syntax.c_str());
-  for (const auto& kind : imageClasses()) listener_->addPresentationContext(kind.c_str(), syntaxes);
+  OFList<OFString> accepted;
+  for (const auto& syntax : syntaxes) accepted.push_back(syntax.c_str());
+  for (const auto& kind : imageClasses()) listener_->addPresentationContext(kind.c_str(), accepted);
   if (listener_->openListenPort().bad())
     throw Error("port " + std::to_string(node.own_port) + " cannot be listened on", {},
                 "close what uses it, or choose another that the archive knows");

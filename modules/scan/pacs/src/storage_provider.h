@@ -5,7 +5,9 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "facenav/pacs/pacs.h"
 
@@ -13,8 +15,10 @@ namespace facenav::pacs {
 
 class StorageProvider {
  public:
-  /// Starts to listen. Throws Error if the port is in use.
-  StorageProvider(const PacsNode& node, const std::filesystem::path& folder);
+  /// Starts to listen; accepts images in `syntaxes`, the first ones preferred. Throws Error if the port is in
+  /// use.
+  StorageProvider(const PacsNode& node, const std::filesystem::path& folder,
+                  const std::vector<std::string>& syntaxes);
   /// Stops listening and waits for a running transfer.
   ~StorageProvider();
   StorageProvider(const StorageProvider&) = delete;

@@ -47,11 +47,26 @@ void readVoxels(nifti_image& image, const std::filesystem::path& path) {
     nifti_swap_Nbytes(size / std::size_t(image.swapsize), image.swapsize, image.data);
 }
 
+/// True for the 540 bytes that a header of NIfTI-2 names first, in either byte order.
+bool isNifti2(const std::filesystem::path& path) {
+  unsigned char start[4] = {};
+  if (znzFile file = znzopen(path.c_str(), "rb", nifti_is_gzfile(path.c_str())); !znz_isnull(file)) {
+    if (znzread(start, 1, sizeof start, file) != sizeof start) start[0] = 0;
+    Xznzclose(&file);
+  }
+  constexpr unsigned kHigh = 540 >> 8, kLow = 540 & 0xFF;
+  return (start[0] == kLow && start[1] == kHigh && !start[2] && !start[3]) ||
+         (!start[0] && !start[1] && start[2] == kHigh && start[3] == kLow);
+}
+
 ImagePtr readImage(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   nifti_set_debug_level(0);
-  if (is_nifti_file(path.c_str()) < 0)
+  if (is_nifti_file(path.c_str()) < 0) {
+    if (isNifti2(path))
+      throw Error("is NIfTI-2, which is not read", path.string(), "save it as NIfTI-1 (.nii.gz)");
     throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
+  }
   ImagePtr image(nifti_image_read(path.c_str(), 0));
   if (!image || !image->iname)
     throw Error("NIfTI header is damaged", path.string(), "copy or export it again");
@@ -236,11 +251,12 @@ NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice) {
   return result;
 }
 
-Mask readMask(const std::filesystem::path& path) {
-  const NiftiRead read = readNifti(path);
-  Mask mask{read.volume.grid, {}};
-  mask.voxels.resize(read.volume.voxels.size());
-  std::transform(read.volume.voxels.begin(), read.volume.voxels.end(), mask.voxels.begin(),
+Mask readMask(const std::filesystem::path& path) { return maskOf(readNifti(path).volume); }
+
+Mask maskOf(const Volume& volume) {
+  Mask mask{volume.grid, {}};
+  mask.voxels.resize(volume.voxels.size());
+  std::transform(volume.voxels.begin(), volume.voxels.end(), mask.voxels.begin(),
                  [](float v) { return std::uint8_t(v > 0.5f); });
   return mask;
 }

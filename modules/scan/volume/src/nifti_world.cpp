@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/geometry/rotation.h"
 
 namespace facenav::volume {
 namespace {
@@ -17,13 +19,57 @@ Eigen::Affine3d toAffine(const mat44& m) {
   return affine;
 }
 
-void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& where) {
+bool isSingular(const Eigen::Affine3d& affine) {
   const Eigen::Matrix3d l = affine.linear();
-  if (!l.allFinite() || std::abs(l.determinant()) < 1e-9)
-    throw Error("orientation matrix is singular", where, "export the volume again");
+  const Eigen::Vector3d lengths = l.colwise().norm();
+  return !affine.matrix().allFinite() || !(lengths.minCoeff() > 0) ||
+         std::abs(l.determinant()) < 1e-3 * lengths.prod();
+}
+
+/// Cosine of the angle between the two voxel axes that are least at right angles.
+double shearOf(const Eigen::Affine3d& affine) {
+  const Eigen::Matrix3d l = affine.linear();
   const Eigen::Matrix3d unit = l * l.colwise().norm().cwiseInverse().asDiagonal();
-  if ((unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 0.02)
-    throw Error("voxel axes are sheared", where, "resample the volume onto an orthogonal grid");
+  return (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+constexpr double kLargestShear = 0.02;
+
+/// Throws Error for axes that are not at right angles. `other` is the file's other map, if it has one.
+void requireOrthogonal(const Eigen::Affine3d& affine, const std::string& name, const Eigen::Affine3d* other,
+                       const std::string& other_name, const std::string& where) {
+  if (isSingular(affine)) throw Error("orientation matrix is singular", where, "export the volume again");
+  const double shear = shearOf(affine);
+  if (shear <= kLargestShear) return;
+  const bool is_other_sound = other && !isSingular(*other) && shearOf(*other) <= kLargestShear;
+  throw Error("the voxel axes of its " + name +
+                  formatted(" are sheared by %.1f degrees", std::asin(std::min(1.0, shear)) * kDegPerRad) +
+                  (is_other_sound ? "; those of its " + other_name + " are at right angles" : ""),
+              where,
+              is_other_sound ? "take the " + other_name + " (--nifti-transform " + other_name +
+                                   "), and compare left and right with the person"
+                             : "resample the volume onto an orthogonal grid");
+}
+
+/// Throws Error for voxels of an impossible size, and names the unit that would make them possible.
+void requirePossibleUnits(const Eigen::Affine3d& affine, int units, const std::string& where) {
+  constexpr double kLeast_mm = 0.02, kMost_mm = 60, kUsual_mm = 0.2, kCoarse_mm = 10;
+  const Eigen::Vector3d edges_mm = affine.linear().colwise().norm();
+  if (edges_mm.minCoeff() >= kLeast_mm && edges_mm.maxCoeff() <= kMost_mm) return;
+  const std::string stated = units == NIFTI_UNITS_METER    ? "metre"
+                             : units == NIFTI_UNITS_MICRON ? "micrometre"
+                             : units == NIFTI_UNITS_MM     ? "mm"
+                                                           : "";
+  const double stated_mm = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
+  std::string likely;
+  for (const auto& [name, unit_mm] : {std::pair("mm", 1.0), {"metres", 1e3}, {"micrometres", 1e-3}}) {
+    const Eigen::Vector3d as_mm = edges_mm * (unit_mm / stated_mm);
+    if (as_mm.minCoeff() >= kUsual_mm && as_mm.maxCoeff() <= kCoarse_mm) likely = name;
+  }
+  throw Error(
+      formatted("its voxels would be %.3g x %.3g x %.3g mm: ", edges_mm[0], edges_mm[1], edges_mm[2]) +
+          (stated.empty() ? "its header names no unit of length" : "the unit in its header is " + stated) +
+          (likely.empty() ? "" : ", its values look like " + likely),
+      where, "correct the unit in the header (xyzt_units), or export it again from DICOM");
 }
 
 /// The coordinate space of an xform code (nifti1.h).
@@ -84,7 +130,11 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
   const int code = is_sform ? image.sform_code : image.qform_code;
   map.is_template_space = code >= NIFTI_XFORM_TALAIRACH;
   map.grid = is_sform ? sform : qform;
-  requireOrthogonal(map.grid.mri_from_voxel, where);
+  const VoxelGrid& unused = is_sform ? qform : sform;
+  requireOrthogonal(map.grid.mri_from_voxel, map.name,
+                    (is_sform ? has_qform : has_sform) ? &unused.mri_from_voxel : nullptr,
+                    is_sform ? "qform" : "sform", where);
+  requirePossibleUnits(map.grid.mri_from_voxel, image.xyz_units, where);
   map.evidence =
       map.name + " (" + spaceOf(code) + ")" + (choice == NiftiTransform::automatic ? "" : ", as asked for");
   if (!has_sform || !has_qform) return map;
@@ -95,7 +145,7 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
     map.evidence += "; the " + other + " agrees";
     return map;
   }
-  const std::string far = std::to_string(int(std::ceil(worst_mm))) + " mm";
+  const std::string far = formatted(worst_mm < 10 ? "%.1f mm" : "%.0f mm", worst_mm);
   map.evidence += "; the " + other + " (" + spaceOf(is_sform ? image.qform_code : image.sform_code) +
                   ") lies up to " + far + " off";
   map.warning = (contradicted.empty() ? "sform and qform disagree by up to " + far : contradicted) +

@@ -208,6 +208,31 @@ float cubicAt(const Volume& volume, const Between& at) {
 
 }  // namespace
 
+std::optional<Mask> reordered(const Mask& mask, const VoxelGrid& grid) {
+  if (mask.grid.count() != grid.count()) return std::nullopt;
+  const Eigen::Affine3d there_from_here = mask.grid.mri_from_voxel.inverse() * grid.mri_from_voxel;
+  const Eigen::Matrix3i turn = there_from_here.linear().array().round().matrix().cast<int>();
+  const Eigen::Vector3i shift = there_from_here.translation().array().round().matrix().cast<int>();
+  if (turn.cwiseAbs().rowwise().sum() != Eigen::Vector3i::Ones()) return std::nullopt;
+  const auto isSameCorner = [&](const Eigen::Vector3i& here) {
+    const Eigen::Vector3i there = turn * here + shift;
+    return mask.grid.contains(there.x(), there.y(), there.z()) &&
+           (mask.grid.toMri(there.cast<double>()).mm - grid.toMri(here.cast<double>()).mm).norm() < 1e-3;
+  };
+  for (int corner = 0; corner < 8; ++corner)
+    if (!isSameCorner({corner & 1 ? grid.size[0] - 1 : 0, corner & 2 ? grid.size[1] - 1 : 0,
+                       corner & 4 ? grid.size[2] - 1 : 0}))
+      return std::nullopt;
+  Mask result{grid, std::vector<std::uint8_t>(grid.count())};
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const Eigen::Vector3i there = turn * Eigen::Vector3i(i, j, k) + shift;
+        result.voxels[grid.index(i, j, k)] = mask.at(there.x(), there.y(), there.z());
+      }
+  return result;
+}
+
 Volume resample(const Volume& volume, const VoxelGrid& grid) {
   Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
   const Linear<float> sample(volume.voxels, volume.grid);

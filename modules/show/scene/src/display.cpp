@@ -1,10 +1,33 @@
 #include "facenav/scene/display.h"
 
 #include <dlfcn.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkRenderWindow.h>
 
 #include <cstdlib>
+#include <map>
+#include <mutex>
 
 namespace facenav::scene {
+
+std::string openGlProblem() {
+  static std::mutex mutex;
+  static std::map<std::string, std::string> problems;  // by the display's name
+  const std::lock_guard lock(mutex);
+  const char* name = std::getenv("DISPLAY");
+  const auto [problem, is_new] = problems.try_emplace(name ? name : "");
+  if (!is_new) return problem->second;
+  vtkObject::GlobalWarningDisplayOff();  // VTK would describe the fault in many lines
+  vtkNew<vtkRenderWindow> trial;
+  trial->SetOffScreenRendering(1);
+  if (trial->SupportsOpenGL() == 0)
+    problem->second = "this display offers no OpenGL 3.2 (a remote desktop, or an old graphics driver)";
+  vtkObject::GlobalWarningDisplayOn();
+  return problem->second;
+}
+
+bool canDrawScenes() { return hasDisplay() && openGlProblem().empty(); }
 
 bool hasDisplay() {
   const char* name = std::getenv("DISPLAY");

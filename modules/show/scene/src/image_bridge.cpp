@@ -12,6 +12,9 @@
 
 #include <cstring>
 
+#include "facenav/core/error.h"
+#include "facenav/scene/display.h"
+
 namespace facenav::scene {
 
 vtkSmartPointer<vtkImageData> toVtkImage(const RgbImage& image) {
@@ -59,6 +62,8 @@ vtkSmartPointer<vtkPolyData> toPolyData(const surface::TriangleMesh& mesh) {
 }
 
 RgbImage grab(vtkRenderWindow* window) {
+  if (const std::string problem = openGlProblem(); !problem.empty())
+    throw Error("no picture can be drawn: " + problem, {}, "unset DISPLAY, or use another display");
   window->Render();
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;

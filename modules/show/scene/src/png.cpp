@@ -11,29 +11,33 @@
 
 namespace facenav::scene {
 
-void writePng(const RgbImage& image, const std::filesystem::path& path, FileAccess access) {
-  if (image.empty()) throw Error("the picture is empty", path.string());
-  WholeFile file(path, access);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file.temporaryPath().c_str());
-  writer->SetInputData(toVtkImage(image));
-  writer->SetCompressionLevel(3);
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw Error("the picture could not be written", path.string(), "is the disk full?");
-  file.commit();
-}
+namespace {
 
-std::vector<std::uint8_t> pngOf(const RgbImage& image) {
-  if (image.empty()) throw Error("the picture is empty");
+/// PNG bytes, made in memory: on a full disk VTK would write many lines to the terminal.
+std::vector<std::uint8_t> encoded(const RgbImage& image, int compression) {
   vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
   writer->SetInputData(toVtkImage(image));
-  writer->SetCompressionLevel(6);
+  writer->SetCompressionLevel(compression);
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
   const unsigned char* first = bytes->GetPointer(0);
   return {first, first + bytes->GetNumberOfValues()};
+}
+
+}  // namespace
+
+void writePng(const RgbImage& image, const std::filesystem::path& path, FileAccess access) {
+  if (image.empty()) throw Error("the picture is empty", path.string());
+  constexpr int kFast = 3;
+  const auto bytes = encoded(image, kFast);
+  writeWholeFile(path, std::string(bytes.begin(), bytes.end()), access);
+}
+
+std::vector<std::uint8_t> pngOf(const RgbImage& image) {
+  constexpr int kUsual = 6;
+  if (image.empty()) throw Error("the picture is empty");
+  return encoded(image, kUsual);
 }
 
 }  // namespace facenav::scene

@@ -2,6 +2,7 @@
 
 #include <future>
 
+#include "facenav/casefile/case_place.h"
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
@@ -69,6 +70,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
   const auto parent = fs::absolute(request.case_folder / ".").lexically_normal().parent_path().parent_path();
   if (!fs::is_directory(parent))  // refuse early
     throw Error("no such folder to make the case in", parent.string(), "create it first");
+  casefile::requireWritablePlace(request.case_folder, request.replace);  // refuse early
   const auto head = methods.head_segmenters.create(request.head_segmenter);
   const auto brain = methods.brain_segmenters.create(request.brain_segmenter);
   std::vector<std::string> atlas_warnings;
@@ -77,6 +79,7 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
   auto imported = dicom::importVolume(request.input, request.series_uid, monitor,
                                       volume::niftiTransformNamed(request.nifti_transform));
   casefile::requireTargetsStay(request.case_folder, imported.volume);  // refuse early
+  casefile::requireSpaceFor(request.case_folder, imported.volume);
   const std::string label = labelOf(request, imported);
   auto prepared = prepare(std::move(imported.volume), *head, *brain, monitor,
                           [&colin] { return colin.get() ? &*colin.get() : nullptr; });

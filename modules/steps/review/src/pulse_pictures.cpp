@@ -82,7 +82,7 @@ std::vector<report::ReportPicture> pulsePictures(const casefile::CaseStore& stor
                                                  std::vector<std::optional<Point<Mri>>> places) {
   const auto& pulses = session.pulses.pulses;
   const auto range = rangeOf(pulses, report::PulseColumn::distance);
-  if (!range || !scene::hasDisplay()) return {};
+  if (!range || !scene::canDrawScenes()) return {};
   const auto brain = store.brain();
   if (brain && places.size() != pulses.size()) places = report::placesOn(brain->mesh, pulses);
   scene::NavigationScene scene;

@@ -110,11 +110,25 @@ TEST(Dcm2niixAgreement, Rescale) {
   expectAgreement(makeSlices(8, slice));
 }
 
-TEST(Dcm2niixAgreement, Monochrome1) {
+/// dcm2niix keeps the stored values of MONOCHROME1, in which air is bright; here bright and dark are
+/// exchanged.
+TEST(Dcm2niixAgreement, Monochrome1AfterBrightAndDarkAreExchanged) {
   FACENAV_NEEDS_PROGRAM("dcm2niix");
   Slice slice;
   slice.photometric = "MONOCHROME1";
-  expectAgreement(makeSlices(8, slice));
+  const auto slices = makeSlices(8, slice, [](Slice& s, int) {
+    for (int& value : s.values) value = 2048 + value / 2;  // bright corners
+    s.values[0] = 0;
+  });
+  const TemporaryFolder folder;
+  writeSlices(folder.path(), slices);
+  TaskMonitor monitor;
+  const auto ours = dicom::importVolume(folder.path(), std::nullopt, monitor).volume;
+  auto theirs = dcm2niixVolume(folder.path());
+  ASSERT_TRUE(theirs);
+  const float top = *std::max_element(theirs->voxels.begin(), theirs->voxels.end());
+  for (float& value : theirs->voxels) value = top - value;
+  expectSameInWorld(ours, *theirs);
 }
 
 TEST(Dcm2niixAgreement, ImplicitAndBigEndian) {

@@ -102,7 +102,9 @@ struct Slice {
   std::string study_uid = "1.2.3", frame_uid, series_time,
               acquisition_time;  // the last three: omitted if empty
   int instance = 1, acquisition = 0;
-  double gap = 0;  // Spacing Between Slices; omitted if 0
+  double gap = 0;              // Spacing Between Slices; omitted if 0
+  int stated_images = 0;       // Images in Acquisition; omitted if 0
+  std::string position_words;  // instead of `position`, if not empty
   Eigen::Vector3d position{-100, -80, 0}, row{1, 0, 0}, column{0, 1, 0};
   double row_spacing = 1.0, column_spacing = 1.0, thickness = 1.5;
   std::vector<int> values;  // rows * columns
@@ -135,9 +137,13 @@ inline DataSetBytes headerOf(const Slice& s) {
       .raw(0x00200011, "IS", s.series_number);
   if (s.acquisition != 0) d.raw(0x00200012, "IS", std::to_string(s.acquisition));
   d.raw(0x00200013, "IS", std::to_string(s.instance));
-  d.ds(0x00200032, {s.position.x(), s.position.y(), s.position.z()});
+  if (s.position_words.empty())
+    d.ds(0x00200032, {s.position.x(), s.position.y(), s.position.z()});
+  else
+    d.raw(0x00200032, "DS", s.position_words);
   d.ds(0x00200037, {s.row.x(), s.row.y(), s.row.z(), s.column.x(), s.column.y(), s.column.z()});
   if (!s.frame_uid.empty()) d.raw(0x00200052, "UI", s.frame_uid);
+  if (s.stated_images != 0) d.raw(0x00201002, "IS", std::to_string(s.stated_images));
   d.us(0x00280002, 1).raw(0x00280004, "CS", s.photometric).us(0x00280010, s.rows).us(0x00280011, s.columns);
   d.ds(0x00280030, {s.row_spacing, s.column_spacing});
   d.us(0x00280100, s.bits_allocated).us(0x00280101, s.bits_stored).us(0x00280102, s.bits_stored - 1);

@@ -12,6 +12,9 @@ struct Enhanced {
   int echoes = 1;
   Syntax syntax;
   bool has_own_intercepts = true;  // intercept of frame k is k
+  int stacks = 0;                  // Stack IDs; 0: none
+  bool has_slabs = false;          // each stack is a slab; otherwise neighbours are in different stacks
+  double between_stacks_mm = 0;    // gap beside each slab, beyond the spacing
 };
 
 inline std::string enhancedFile(const Enhanced& spec) {
@@ -46,7 +49,13 @@ inline std::string enhancedFile(const Enhanced& spec) {
       std::string echo(reinterpret_cast<const char*>(&echo_ms), 8);
       if (x.is_big_endian) std::reverse(echo.begin(), echo.end());
       frame.sequence(0x00189114, {DataSetBytes(x).raw(0x00189082, "FD", echo)});
-      frame.sequence(0x00209113, {DataSetBytes(x).ds(0x00200032, {-40 + 1.5 * k, -80, 60})});
+      const int stack = spec.stacks == 0 ? 0
+                        : spec.has_slabs ? k * spec.stacks / spec.frames
+                                         : k % spec.stacks;
+      if (spec.stacks > 0)
+        frame.sequence(0x00209111, {DataSetBytes(x).raw(0x00209056, "SH", std::to_string(stack + 1))});
+      const double along_mm = 1.5 * k + spec.between_stacks_mm * stack;
+      frame.sequence(0x00209113, {DataSetBytes(x).ds(0x00200032, {-40 + along_mm, -80, 60})});
       frame.sequence(
           0x00289145,
           {DataSetBytes(x).ds(0x00281052, {spec.has_own_intercepts ? double(k) : 0.0}).ds(0x00281053, {2})});

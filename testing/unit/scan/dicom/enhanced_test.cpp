@@ -36,5 +36,39 @@ TEST(EnhancedMr, EchoesOfOneFileAreSplit) {
   }
 }
 
+Enhanced twelveFrames() {
+  Enhanced spec;
+  spec.frames = 12;
+  return spec;
+}
+
+TEST(EnhancedMr, StacksThatTogetherAreOneEvenVolumeAreOne) {
+  TaskMonitor monitor;
+  const TemporaryFolder plain;
+  writeBytes(plain.path() / "in", enhancedFile(twelveFrames()));
+  const auto whole = dicom::importVolume(plain.path(), std::nullopt, monitor).volume;
+  for (const bool has_slabs : {true, false}) {
+    Enhanced spec = twelveFrames();
+    spec.stacks = 3, spec.has_slabs = has_slabs;
+    const TemporaryFolder folder;
+    writeBytes(folder.path() / "in", enhancedFile(spec));
+    const auto imported = dicom::importVolume(folder.path(), std::nullopt, monitor);
+    EXPECT_EQ(imported.volume.voxels, whole.voxels) << has_slabs;
+    EXPECT_TRUE(imported.volume.grid.matches(whole.grid));
+    EXPECT_NE(imported.warnings.front().find("3 stacks"), std::string::npos) << imported.warnings.front();
+  }
+}
+
+TEST(EnhancedMr, StacksApartStayApart) {
+  Enhanced spec = twelveFrames();
+  spec.stacks = 3, spec.has_slabs = true, spec.between_stacks_mm = 20;
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / "in", enhancedFile(spec));
+  TaskMonitor monitor;
+  const auto series = dicom::listSeries(folder.path(), monitor);
+  ASSERT_EQ(series.size(), 3u);
+  for (const auto& info : series) EXPECT_EQ(info.slices, 4) << info.part;
+}
+
 }  // namespace
 }  // namespace facenav::testing

@@ -196,7 +196,8 @@ TEST(ListSeries, PhaseSlicesAmongMagnitudeAreNamed) {
   const auto magnitude =
       std::find_if(series.begin(), series.end(), [](const auto& s) { return s.slices > 10; });
   ASSERT_NE(magnitude, series.end());
-  EXPECT_THAT(magnitude->problem, HasSubstr("3 images of this series are of another kind (phase image)"));
+  EXPECT_THAT(magnitude->problem,
+              HasSubstr("3 of the 40 images of this series are of another kind (phase image)"));
 }
 
 TEST(ImportVolume, APhaseAloneOrAskedForIsRefusedByItsName) {

@@ -9,6 +9,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "raw_nifti.h"
 #include "support/matchers.h"
 #include "support/nibabel.h"
 #include "support/test_data.h"
@@ -16,21 +17,6 @@
 
 namespace facenav::testing {
 namespace {
-
-/// The header of a written file, for tests that change it and write it back.
-struct Raw {
-  std::filesystem::path path;
-  nifti_1_header header;
-  std::string bytes;
-
-  explicit Raw(const std::filesystem::path& at) : path(at), bytes(readWholeFile(at)) {
-    std::memcpy(&header, bytes.data(), sizeof header);
-  }
-  void save() {
-    std::memcpy(bytes.data(), &header, sizeof header);
-    writeWholeFile(path, bytes);
-  }
-};
 
 TEST(Nifti, RoundTripKeepsValuesAndPlaces) {
   const TemporaryFolder folder;

@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
+
 #include "facenav/casefile/edited_brain.h"
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/volume/nifti.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
@@ -70,6 +73,54 @@ TEST_F(CorrectBrain, AMaskDrawnElsewhereIsTakenOnTheScansOwnGridOnly) {
   drawn.grid.mri_from_voxel.translation().x() += 1;
   volume::writeMask(drawn, folder_.path() / "drawn.nii.gz");
   EXPECT_THAT([&] { correct(edits); }, ThrowsMessage<Error>(HasSubstr("another grid")));
+}
+
+/// The mask's two maps to world, of which one lies 5 mm aside.
+std::filesystem::path withMapAside(const std::filesystem::path& path, const volume::Mask& mask,
+                                   bool is_sform) {
+  volume::writeMask(mask, path);
+  std::string bytes = readWholeFile(path);
+  constexpr std::size_t kQoffsetX = 268, kSrowX3 = 292;
+  float x_mm = 0;
+  std::memcpy(&x_mm, &bytes[is_sform ? kSrowX3 : kQoffsetX], sizeof x_mm);
+  x_mm += 5;
+  std::memcpy(&bytes[is_sform ? kSrowX3 : kQoffsetX], &x_mm, sizeof x_mm);
+  writeWholeFile(path, bytes);
+  return path;
+}
+
+TEST_F(CorrectBrain, ADrawnMaskWhoseMapsDisagreeIsSaidByMillimetres) {
+  auto drawn = prepared_;
+  drawn.voxels[drawn.grid.index(40, 25, 25)] = 1;
+  BrainEdits edits;
+  edits.drawn = withMapAside(folder_.path() / "q.nii", drawn, false);
+  const auto result = correct(edits);
+  EXPECT_EQ(result.added_voxels, 1u);
+  EXPECT_THAT(result.notes, ::testing::ElementsAre(HasSubstr("disagree by up to 5.0 mm; the sform is used")));
+  edits.drawn = withMapAside(folder_.path() / "s.nii", drawn, true);
+  EXPECT_THAT([&] { correct(edits); },
+              ThrowsMessage<Error>(HasSubstr("5.0 mm beside the scan by its sform; by its qform it fits")));
+}
+
+TEST_F(CorrectBrain, ADrawnMaskMayOrderItsAxesOtherwise) {
+  auto drawn = prepared_;
+  drawn.voxels[drawn.grid.index(40, 25, 20)] = 1;
+  auto flipped = drawn;
+  const auto& size = drawn.grid.size;
+  flipped.grid.size = {size[2], size[1], size[0]};
+  Eigen::Affine3d drawn_from_flipped = Eigen::Affine3d::Identity();
+  drawn_from_flipped.linear() << 0, 0, -1, 0, 1, 0, 1, 0, 0;
+  drawn_from_flipped.translation().x() = size[0] - 1;
+  flipped.grid.mri_from_voxel = drawn.grid.mri_from_voxel * drawn_from_flipped;
+  for (int k = 0; k < size[0]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[2]; ++i)
+        flipped.voxels[flipped.grid.index(i, j, k)] = drawn.at(size[0] - 1 - k, j, i);
+  volume::writeMask(flipped, folder_.path() / "drawn.nii.gz");
+  BrainEdits edits;
+  edits.drawn = folder_.path() / "drawn.nii.gz";
+  EXPECT_EQ(correct(edits).added_voxels, 1u);
+  EXPECT_EQ(store_.brainMask()->voxels, drawn.voxels);
 }
 
 TEST_F(CorrectBrain, BackToTheAutomaticMask) {

@@ -1,4 +1,4 @@
-#include "character_set.h"
+#include "facenav/dicom/character_set.h"
 
 #include <iconv.h>
 
@@ -53,15 +53,25 @@ const char* withEscapes(std::string_view character_set) {
   return nullptr;
 }
 
-/// Removes "ESC $ ) C" and "ESC $ ) A", which announce Korean or Chinese in bytes above 127.
+/// Removes the escape sequences around Korean and Chinese, which lie in bytes above 127: "ESC $ ) C" and
+/// "ESC $ ) A" announce them, "ESC ( B" and the like name the set of the bytes below (PS3.3 C.12.1.1.2).
 std::string withoutDesignations(std::string_view raw) {
+  constexpr std::size_t kTwoBytes = 4, kOneByte = 3;  // lengths of the sequences
   std::string text;
-  for (std::size_t i = 0; i < raw.size(); ++i)
-    if (raw[i] == kEscape && raw.substr(i + 1, 2) == "$)")
-      i += 3;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    const std::string_view next = raw.substr(i + 1, 2);
+    if (raw[i] == kEscape && (next == "$)" || next == "$("))
+      i += kTwoBytes - 1;
+    else if (raw[i] == kEscape && !next.empty() && (next[0] == '(' || next[0] == ')' || next[0] == '-'))
+      i += kOneByte - 1;
     else
       text += raw[i];
+  }
   return text;
+}
+
+bool isEuc(const char* encoding) {
+  return std::string_view(encoding) == "EUC-KR" || std::string_view(encoding) == "GB2312";
 }
 
 /// Converts `text` to UTF-8; nullopt if it is not valid in `encoding`.
@@ -100,9 +110,27 @@ std::string toUtf8(std::string_view raw, std::string_view character_set) {
   if (!has_escapes && isUtf8(raw))
     return std::string(raw);  // also if the file declares Latin-1: a common error
   if (const char* encoding = has_escapes ? withEscapes(character_set) : withoutEscapes(character_set))
-    if (auto text = convert(has_escapes ? withoutDesignations(raw) : std::string(raw), encoding))
+    if (auto text =
+            convert(has_escapes && isEuc(encoding) ? withoutDesignations(raw) : std::string(raw), encoding))
       return *text;
   return fromLatin1(raw);
+}
+
+std::string onOneLine(std::string text) {
+  constexpr unsigned char kLastControl = 0x1F, kDelete = 0x7F;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) <= kLastControl || static_cast<unsigned char>(c) == kDelete) c = ' ';
+  return text;
+}
+
+std::string personNameToUtf8(std::string_view raw, std::string_view character_set) {
+  while (!raw.empty() && raw.front() == '=') raw.remove_prefix(1);
+  // Cut before decoding: the alphabetic group is the one without escape sequences. In the other groups "="
+  // may be half of a character.
+  if (const std::size_t end = raw.find('='); raw.substr(0, end).find(kEscape) == std::string_view::npos)
+    raw = raw.substr(0, end);
+  const std::string name = onOneLine(toUtf8(raw, character_set));
+  return name.substr(0, name.find('='));
 }
 
 }  // namespace facenav::dicom

@@ -43,15 +43,36 @@ std::string identityOf(const Patient& patient) {
   return patient.id + "\n" + comparableName(patient.name) + "\n" + patient.birth_date;
 }
 
+/// Finds series whose images each name a patient who has that one image.
+void markScatteredIdentities(std::vector<SliceHeader>& headers) {
+  constexpr std::size_t kFewest = 10;  // images; two persons' single images are two persons
+  std::map<std::string, std::size_t> images_of;
+  std::map<std::pair<std::string, std::string>, std::vector<SliceHeader*>> by_series;
+  for (SliceHeader& header : headers) {
+    ++images_of[identityOf(header.patient)];
+    if (!header.series_uid.empty()) by_series[{header.study_uid, header.series_uid}].push_back(&header);
+  }
+  for (const auto& [uid, slices] : by_series) {
+    const bool are_scattered =
+        slices.size() >= kFewest && std::all_of(slices.begin(), slices.end(), [&](const SliceHeader* header) {
+          return images_of[identityOf(header->patient)] == 1;
+        });
+    for (SliceHeader* header : slices) header->has_scattered_identity = are_scattered;
+  }
+}
+
 }  // namespace
 
 bool isSamePatient(const Patient& a, const Patient& b) { return identityOf(a) == identityOf(b); }
 
 void numberPatients(std::vector<SliceHeader>& headers) {
+  markScatteredIdentities(headers);
   std::map<std::string, int> numbers;
-  for (SliceHeader& header : headers)
-    header.patient_number =
-        numbers.emplace(identityOf(header.patient), int(numbers.size()) + 1).first->second;
+  for (SliceHeader& header : headers) {
+    const std::string whose =
+        header.has_scattered_identity ? "series " + header.series_uid : identityOf(header.patient);
+    header.patient_number = numbers.emplace(whose, int(numbers.size()) + 1).first->second;
+  }
 }
 
 Patient patientOf(const SeriesInfo& series) {

@@ -6,6 +6,7 @@
 #include <gdcmSwapper.h>
 #include <gdcmTrace.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -106,6 +107,8 @@ void readTraits(const gdcm::DataSet& data, SliceHeader& header) {
   header.flip_angle_deg = number(data, {0x0018, 0x1314}).value_or(0);
   header.slice_gap_mm = number(data, {0x0018, 0x0088}).value_or(0);
   header.acquisition_number = integer(data, {0x0020, 0x0012}, 0);
+  // Images in Acquisition, Number of Series Related Instances
+  header.stated_images = std::max(integer(data, {0x0020, 0x1002}, 0), integer(data, {0x0020, 0x1209}, 0));
 }
 
 /// GE states the part of the complex signal in a private element alone: 0 magnitude, 1 phase, 2 real, 3
@@ -131,22 +134,40 @@ ImagePlace classicPlace(const gdcm::DataSet& data, const SliceHeader& header) {
 
 }  // namespace
 
+namespace {
+
+/// Reads `count` numbers; otherwise none, and notes a value that cannot be read.
+std::vector<double> rowOfNumbers(const gdcm::DataSet& data, Tag tag, std::size_t count, const char* name,
+                                 ImagePlace& place) {
+  auto values = numbers(data, tag);
+  if (values.size() == count) return values;
+  const std::string written = text(data, tag);
+  if (!written.empty())
+    place.unreadable = std::string(name) + " is not " + std::to_string(count) + " numbers" +
+                       (written.find(',') != std::string::npos ? ", it has commas for decimal points" : "") +
+                       ": '" + written.substr(0, 60) + "'";
+  return {};
+}
+
+}  // namespace
+
 void readPosition(const gdcm::DataSet& data, ImagePlace& place) {
-  const auto p = numbers(data, {0x0020, 0x0032});
-  if (p.size() == 3) place.position_lps_mm = Eigen::Vector3d(p[0], p[1], p[2]);
+  const auto p = rowOfNumbers(data, {0x0020, 0x0032}, 3, "Image Position (Patient)", place);
+  if (!p.empty()) place.position_lps_mm = Eigen::Vector3d(p[0], p[1], p[2]);
 }
 
 void readOrientation(const gdcm::DataSet& data, ImagePlace& place) {
-  const auto o = numbers(data, {0x0020, 0x0037});
-  if (o.size() != 6) return;
+  const auto o = rowOfNumbers(data, {0x0020, 0x0037}, 6, "Image Orientation (Patient)", place);
+  if (o.empty()) return;
   Eigen::Matrix<double, 3, 2> axes;
   axes << o[0], o[3], o[1], o[4], o[2], o[5];
   place.axes_lps = axes;
 }
 
 void readSpacing(const gdcm::DataSet& data, ImagePlace& place) {
-  const auto s = numbers(data, {0x0028, 0x0030});  // between rows first (PS3.3 10.7.1.3)
-  if (s.size() == 2) place.spacing_mm = Eigen::Vector2d(s[1], s[0]);
+  // between rows first (PS3.3 10.7.1.3)
+  const auto s = rowOfNumbers(data, {0x0028, 0x0030}, 2, "Pixel Spacing", place);
+  if (!s.empty()) place.spacing_mm = Eigen::Vector2d(s[1], s[0]);
 }
 
 void readRescale(const gdcm::DataSet& data, ImagePlace& place) {
@@ -161,6 +182,8 @@ void readRescale(const gdcm::DataSet& data, ImagePlace& place) {
     place.slope = 1.0 / *philips;
   }
 }
+
+gdcm::DataSet readElements(FilePrefix& file) { return parse(file, walkHeader(file)); }
 
 std::optional<SliceHeader> readSliceHeader(FilePrefix& file) {
   if (!looksLikeDicom(file)) return std::nullopt;

@@ -25,8 +25,9 @@ struct ImagePlace {
   std::optional<Eigen::Vector2d> spacing_mm;            // distance between columns, between rows
   double slope = 1.0, intercept = 0.0;
   double echo_time_ms = 0.0;
-  std::string kind;   // image type: M, P, ORIGINAL\PRIMARY\..; separates magnitude from phase
-  std::string stack;  // enhanced: Stack ID
+  std::string unreadable;  // names a value of the three above that is there and is no row of numbers
+  std::string kind;        // image type: M, P, ORIGINAL\PRIMARY\..; separates magnitude from phase
+  std::string stack;       // enhanced: Stack ID
   int time_index = 0;
 };
 
@@ -52,10 +53,15 @@ struct SliceHeader {
   std::string frame_of_reference_uid, protocol, series_time, acquisition_time, age_and_weight;
   double flip_angle_deg = 0, slice_gap_mm = 0;  // the gap: Spacing Between Slices, centre to centre
   int acquisition_number = 0;
+  int stated_images = 0;  // of the series, by the header; 0: not stated
   Patient patient;
-  std::optional<int> patient_number;  // among the files scanned together; see patient_identity.h
+  std::optional<int> patient_number;    // among the files scanned together; see patient_identity.h
+  bool has_scattered_identity = false;  // each image of the series names another patient
   bool is_mosaic = false;
 };
+
+/// Reads the elements before the pixel data, of any DICOM file. Throws Error when it is damaged.
+gdcm::DataSet readElements(FilePrefix& file);
 
 /// Reads the header. Throws Error naming the file when it is damaged; std::nullopt when it is not DICOM.
 std::optional<SliceHeader> readSliceHeader(FilePrefix& file);

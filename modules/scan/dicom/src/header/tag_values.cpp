@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "character_set.h"
+#include "facenav/dicom/character_set.h"
 
 namespace facenav::dicom {
 namespace {
@@ -64,14 +64,7 @@ gdcm::VR implicitVr(gdcm::Tag tag) {
   return gdcm::VR::DS;
 }
 
-constexpr std::uint32_t kLastControl = 0x1F, kDelete = 0x7F;
 const gdcm::Tag kCharacterSet(0x0008, 0x0005);
-
-std::string onOneLine(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) <= kLastControl || static_cast<unsigned char>(c) == kDelete) c = ' ';
-  return text;
-}
 
 }  // namespace
 
@@ -80,14 +73,7 @@ std::string text(const gdcm::DataSet& data, gdcm::Tag tag) {
 }
 
 std::string personName(const gdcm::DataSet& data, gdcm::Tag tag) {
-  std::string_view raw = trimmed(rawValue(data, tag));
-  while (!raw.empty() && raw.front() == '=') raw.remove_prefix(1);
-  // Cut before decoding: the alphabetic group is the one without escape sequences. In the other groups "="
-  // may be half of a character.
-  if (const std::size_t end = raw.find('='); raw.substr(0, end).find('\x1B') == std::string_view::npos)
-    raw = raw.substr(0, end);
-  const std::string name = onOneLine(toUtf8(raw, rawValue(data, kCharacterSet)));
-  return name.substr(0, name.find('='));
+  return personNameToUtf8(trimmed(rawValue(data, tag)), rawValue(data, kCharacterSet));
 }
 
 std::vector<double> numbers(const gdcm::DataSet& data, gdcm::Tag tag) {

@@ -7,6 +7,9 @@
 #include "facenav/core/error.h"
 #include "facenav/dicom/patient.h"
 #include "header/patient_identity.h"
+#include "lost_files.h"
+#include "mixed_images.h"
+#include "other_files.h"
 #include "series_groups.h"
 #include "series_scan.h"
 #include "series_verdict.h"
@@ -32,10 +35,11 @@ bool isDicomDir(FilePrefix& file) {
   return bytes.substr(kPreamble, kMetaHeader).find(kDicomDirClass) != std::string::npos;
 }
 
-/// Content of one file: an image, damage, or neither.
+/// Content of one file: an image, damage, a DICOMDIR, nothing at all, or something else.
 struct ScannedFile {
   std::optional<SliceHeader> header;
   std::optional<DamagedFile> damage;
+  bool is_empty = false, is_dicom_dir = false;
 };
 
 ScannedFile scanFile(const fs::path& path) {
@@ -43,7 +47,8 @@ ScannedFile scanFile(const fs::path& path) {
   std::optional<FilePrefix> file;
   try {
     file.emplace(path);
-    if (isDicomDir(*file)) return {};
+    if (file->fileSize() == 0) return {{}, {}, true, false};
+    if (isDicomDir(*file)) return {{}, {}, false, true};
     return {readSliceHeader(*file), {}};
   } catch (const DamageError& damage) {
     const std::string& bytes = file->bytes();
@@ -109,17 +114,6 @@ void nameLocalizers(std::vector<SeriesInfo>& series) {
     if (!is_localizer || planes.size() < 2) continue;
     info.kind = ImageKind::localizer;
     if (info.is_loadable) judgeFitness(info);
-  }
-}
-
-/// Images of another kind among those of a magnitude series leave gaps in it: they are named.
-void nameMixedKinds(std::vector<SeriesInfo>& series) {
-  for (SeriesInfo& info : series) {
-    if (info.is_loadable || info.kind != ImageKind::magnitude || info.series_uid.empty()) continue;
-    for (const SeriesInfo& other : series)
-      if (other.series_uid == info.series_uid && other.kind != info.kind && other.slices < info.slices)
-        info.problem += ": " + std::to_string(other.slices) + " images of this series are of another kind (" +
-                        inWords(other.kind) + ")";
   }
 }
 
@@ -190,22 +184,29 @@ std::vector<SeriesInfo> scanFiles(const std::vector<fs::path>& files, const std:
            [&](std::size_t f, std::size_t) { scanned[f] = scanFile(files[f]); });
   std::vector<SliceHeader> headers;
   std::vector<DamagedFile> damaged;
-  for (ScannedFile& file : scanned) {
+  LostFiles lost;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    ScannedFile& file = scanned[f];
+    if (file.is_empty) lost.empty.push_back(files[f]);
+    if (file.is_dicom_dir)
+      for (fs::path& absent : absentFilesOf(files[f])) lost.absent.push_back(std::move(absent));
     if (file.header) headers.push_back(std::move(*file.header));
     if (file.damage) damaged.push_back(std::move(*file.damage));
   }
   if (headers.empty() && damaged.size() == 1)
     throw Error(damaged[0].problem, damaged[0].file.string(), "copy it again");
-  if (headers.empty() && damaged.empty())
-    throw Error("holds no DICOM images", where, "give a folder of DICOM files or a .nii.gz");
+  if (headers.empty() && damaged.empty()) throw noDicomIn(files, where);
   numberPatients(headers);
   std::vector<SeriesInfo> series;
-  for (const SeriesGroup& group : groupImages(headers)) series.push_back(describeGroup(headers, group));
+  const std::vector<SeriesGroup> groups = groupImages(headers);
+  for (const SeriesGroup& group : groups) series.push_back(describeGroup(headers, group));
   numberParts(series);
+  nameMixedImages(series, headers, groups);
+  countStatedImages(series, headers);
+  noteLostFiles(series, lost);
   applyDamage(series, damaged);
   for (const DamagedFile& damage : damaged) series.push_back(damagedEntry(damage));
   nameLocalizers(series);
-  nameMixedKinds(series);
   checkValues(series);
   recommend(series);
   monitor.report("reading DICOM headers", 1.0);

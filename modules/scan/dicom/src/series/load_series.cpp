@@ -3,6 +3,7 @@
 #include <memory>
 #include <numeric>
 
+#include "bright_and_dark.h"
 #include "bytes/for_files.h"
 #include "facenav/core/error.h"
 #include "facenav/dicom/series.h"
@@ -209,7 +210,13 @@ volume::Volume loadSeries(const SeriesInfo& series, TaskMonitor& monitor) {
   if (stack.fault) raise(*stack.fault);
   if (stack.grid.count() > kMostVoxels)
     throw Error("the series is too large to read", series.files[0].string(), "choose another series");
-  return Loader(headers, stack, monitor).load();
+  volume::Volume volume = Loader(headers, stack, monitor).load();
+  const auto inverted = std::count_if(headers.begin(), headers.end(), isStoredInverted);
+  if (inverted > 0 && std::size_t(inverted) < headers.size())
+    throw Error("bright and dark are exchanged in some of its images (MONOCHROME1)", series.files[0].string(),
+                "choose another series");
+  if (inverted > 0) darkenAir(volume);
+  return volume;
 }
 
 }  // namespace facenav::dicom

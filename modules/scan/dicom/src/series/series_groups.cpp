@@ -27,6 +27,7 @@ class Grouper {
       else
         home->images.push_back(image);
     }
+    joinStacks(groups);
     takeInStrays(groups);
     joinScattered(groups);
     nameParts(groups);
@@ -37,10 +38,14 @@ class Grouper {
   const SliceHeader& headerOf(ImageRef image) const { return headers_[std::size_t(image.header)]; }
 
   bool isSameSort(ImageRef a, ImageRef b) const {
+    return placeOf(headers_, a).stack == placeOf(headers_, b).stack && isSameSortOfAnyStack(a, b);
+  }
+
+  bool isSameSortOfAnyStack(ImageRef a, ImageRef b) const {
     const SliceHeader &ha = headerOf(a), &hb = headerOf(b);
     const ImagePlace &pa = placeOf(headers_, a), &pb = placeOf(headers_, b);
     return ha.sop_class == hb.sop_class && ha.layout.has_pixels == hb.layout.has_pixels &&
-           ha.voxels.samples == hb.voxels.samples && pa.kind == pb.kind && pa.stack == pb.stack &&
+           ha.voxels.samples == hb.voxels.samples && pa.kind == pb.kind &&
            std::abs(pa.echo_time_ms - pb.echo_time_ms) <= 0.02 + 1e-3 * std::abs(pa.echo_time_ms);
   }
 
@@ -52,6 +57,30 @@ class Grouper {
     if (!pa.spacing_mm) return true;
     return (*pa.spacing_mm - *pb.spacing_mm).cwiseAbs().maxCoeff() <=
            1e-3 * pa.spacing_mm->cwiseAbs().maxCoeff();
+  }
+
+  /// Stack IDs number parts of a scan in any way that the scanner likes. Stacks that together are one even
+  /// volume without an image twice are that volume.
+  void joinStacks(std::vector<SeriesGroup>& groups) const {
+    constexpr std::size_t kFewest = 3;
+    for (std::size_t first = 0; first < groups.size(); ++first) {
+      const auto belongs = [&](const SeriesGroup& other) {
+        return isSameSortOfAnyStack(groups[first].images[0], other.images[0]) &&
+               isSameGeometry(groups[first].images[0], other.images[0]);
+      };
+      SeriesGroup whole = groups[first];
+      for (std::size_t g = first + 1; g < groups.size(); ++g) {
+        if (!belongs(groups[g])) continue;
+        whole.images.insert(whole.images.end(), groups[g].images.begin(), groups[g].images.end());
+        ++whole.stacks;
+      }
+      if (whole.stacks == 1 || whole.images.size() < kFewest) continue;
+      const SliceStack stack = stackSlices(headers_, whole.images);
+      if (stack.fault || !stack.coincident.empty()) continue;
+      const auto others = groups.begin() + std::ptrdiff_t(first) + 1;
+      groups.erase(std::remove_if(others, groups.end(), belongs), groups.end());
+      groups[first] = std::move(whole);
+    }
   }
 
   /// A large volume with a few deviating slices is one damaged volume.

@@ -14,6 +14,7 @@ struct SeriesGroup {
   std::vector<ImageRef> images;
   std::string part;                // distinguishes it from other groups of its UID; empty for the only one
   bool is_magnitude_part = false;  // `part` is magnitude
+  int stacks = 1;                  // enhanced: Stack IDs that were joined to one even volume
   bool is_scattered = false;       // single images in different directions: a localizer, projections
   std::optional<JoinedSlices> joined = {};  // slices with different UIDs that were joined
 };

@@ -5,15 +5,19 @@
 #include <map>
 #include <set>
 
+#include "bright_and_dark.h"
 #include "duplicates.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/volume/voxel_size.h"
 #include "pixels/pixel_decoder.h"
 
 namespace facenav::dicom {
 namespace {
 
 constexpr double kMostVoxels = 1e9;
+constexpr const char* kFitByHeader =
+    "voxels and field of view fit navigation; the face is judged when it is prepared";
 
 bool startsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
 
@@ -167,13 +171,19 @@ void judgeFitness(SeriesInfo& info) {
   if (info.modality == "MR" && against.empty() && info.contrast != "T1")
     against.push_back(info.contrast.empty() ? "T1 weighting not certain"
                                             : info.contrast + "-weighted, not T1");
-  if (info.spacing_mm.maxCoeff() > volume::kNavigationVoxel_mm)
-    against.push_back(
-        formatted("voxels up to %.3g mm (1.2 mm or finer is needed)", info.spacing_mm.maxCoeff()));
+  const double coarsest_mm = info.spacing_mm.maxCoeff();
+  if (const auto size = volume::voxelSizeOf(coarsest_mm); size != volume::VoxelSize::fine)
+    against.push_back(formatted(size == volume::VoxelSize::coarse
+                                    ? "voxels up to %.3g mm (1.2 mm or finer is needed)"
+                                    : "voxels up to %.3g mm, too coarse (1.2 mm or finer is needed)",
+                                coarsest_mm));
   if (info.extent_mm.x() < 120 || info.extent_mm.y() < 150 || info.extent_mm.z() < 150)
     against.push_back("does not cover the whole head");
+  if (info.missing_images > 0)
+    against.push_back(formatted("%d of the %d images that its headers speak of are not here",
+                                info.missing_images, info.stated_images));
   info.is_fit_for_navigation = against.empty();
-  info.fitness = against.empty() ? "fit for navigation" : "";
+  info.fitness = against.empty() ? kFitByHeader : "";
   for (const auto& reason : against) info.fitness += (info.fitness.empty() ? "" : "; ") + reason;
 }
 
@@ -184,6 +194,12 @@ void addNotes(SeriesInfo& info, const SliceHeader& header) {
   for (const char* lossy : {".4.50", ".4.51", ".4.81", ".4.91"})
     if (syntax == std::string("1.2.840.10008.1.2") + lossy)
       info.notes.push_back("compressed, possibly with loss");
+  if (isStoredInverted(header))
+    info.notes.push_back("stored with bright and dark exchanged (MONOCHROME1): read with dark air");
+  if (header.has_scattered_identity)
+    info.notes.push_back(
+        "every image names another patient, as some anonymisers write it: taken as one patient, since all "
+        "share one series UID");
   info.has_contrast_agent = !header.contrast_agent.empty();
   if (info.has_contrast_agent) info.notes.push_back("with contrast agent");
   if (info.kind == ImageKind::uniform)
@@ -237,7 +253,10 @@ std::string contrastOf(const SliceHeader& header, double echo_time_ms) {
   return "";
 }
 
-SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGroup& group) {
+namespace {
+
+/// What the headers say of the group, before its images are stacked.
+SeriesInfo startFromHeaders(const std::vector<SliceHeader>& headers, const SeriesGroup& group) {
   const ImageRef first_image = group.images[0];
   const SliceHeader& first = headers[std::size_t(first_image.header)];
   const ImagePlace& place = placeOf(headers, first_image);
@@ -266,6 +285,14 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
   info.columns = first.voxels.columns;
   info.slices = int(group.images.size());
   info.plane = planeOf(place);
+  return info;
+}
+
+}  // namespace
+
+SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGroup& group) {
+  const SliceHeader& first = headers[std::size_t(group.images[0].header)];
+  SeriesInfo info = startFromHeaders(headers, group);
   for (const ImageRef image : group.images) {
     const SliceHeader& header = headers[std::size_t(image.header)];
     setProblem(info, imageProblem(header), header.file);
@@ -280,6 +307,9 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
     }
     if (stack.fault) setProblem(info, stackProblem(*stack.fault, info, group), stack.fault->file);
     if (!stack.note.empty()) info.notes.push_back(stack.note);
+    if (group.stacks > 1)
+      info.notes.push_back(
+          formatted("its %d stacks (Stack ID) were joined: together they are one even volume", group.stacks));
     if (!stack.fault) describeGeometry(info, stack.grid);
     if (double(info.rows) * info.columns * double(used.size()) > kMostVoxels)
       setProblem(info, {SeriesProblem::too_large, "too large"}, first.file);
@@ -303,7 +333,8 @@ double navigationScore(const SeriesInfo& info) {
   if (isMap(info.kind) || isWithoutSkin(info.kind) || info.kind == ImageKind::localizer) return 0;
   if (!info.contrast.empty() && info.contrast != "T1") return 0;
   const double coarsest_mm = info.spacing_mm.maxCoeff();
-  if (coarsest_mm > 2.0 || info.extent_mm.minCoeff() < 100) return 0;
+  if (volume::voxelSizeOf(coarsest_mm) == volume::VoxelSize::too_coarse || info.extent_mm.minCoeff() < 100)
+    return 0;
   double score = 100 - 20 * std::max(0.0, coarsest_mm - 0.8);
   if (info.contrast == "T1") score += 40;
   if (info.is_fit_for_navigation) score += 40;

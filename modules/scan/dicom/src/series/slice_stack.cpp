@@ -26,6 +26,7 @@ std::string millimetres(double value) { return formatted("%.4g mm", value); }
 /// The fault in a single image's position, if any.
 std::optional<StackFault> placeFault(const ImagePlace& place, const std::filesystem::path& file) {
   const auto fault = [&](const std::string& what) { return StackFault{what, file, "choose another series"}; };
+  if (!place.unreadable.empty()) return fault(place.unreadable);
   if (!place.position_lps_mm) return fault("has no Image Position (Patient)");
   if (!place.axes_lps) return fault("has no Image Orientation (Patient)");
   if (!place.spacing_mm) return fault("has no Pixel Spacing");

@@ -7,9 +7,11 @@
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -86,13 +88,16 @@ void writeBrain(const BrainModel& brain, const std::filesystem::path& vtp,
   poly_data->GetPointData()->SetTCoords(coordinates);
   addField(*poly_data, kCentre, 3, brain.map.centre.mm.data(), 1);
   addField(*poly_data, kRadius, 1, brain.map.radius_mm.data(), brain.map.radius_mm.size());
-  WholeFile texture(texture_png, access);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture(brain.map));
-  writer->SetFileName(texture.temporaryPath().c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw Error("the texture could not be written", texture_png.string(), "is the disk full?");
+  vtkUnsignedCharArray* png = writer->GetResult();
+  WholeFile texture(texture_png, access);  // appears after the surface
+  std::ofstream stream(texture.temporaryPath(), std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(png->GetPointer(0)), std::streamsize(png->GetNumberOfValues()));
+  stream.close();
+  if (!stream) throw Error("the texture could not be written", texture_png.string(), "is the disk full?");
   writePolyData(*poly_data, vtp, access);
   texture.commit();
 }

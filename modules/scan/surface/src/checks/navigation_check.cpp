@@ -4,6 +4,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/volume/voxel_size.h"
 
 namespace facenav::surface {
 namespace {
@@ -54,12 +55,11 @@ CheckFinding checkVertex(const ScanQuality& scan) {
 }
 
 CheckFinding checkSpacing(const ScanQuality& scan) {
-  constexpr double kUsable_mm = 2.0;
   const std::string words =
       formatted("voxels of %.2f to %.2f mm", scan.smallest_voxel_mm, scan.largest_voxel_mm);
-  if (scan.largest_voxel_mm <= volume::kNavigationVoxel_mm)
-    return {CheckTopic::spacing, Verdict::fine, words, ""};
-  const bool is_usable = scan.largest_voxel_mm <= kUsable_mm;
+  const auto size = volume::voxelSizeOf(scan.largest_voxel_mm);
+  if (size == volume::VoxelSize::fine) return {CheckTopic::spacing, Verdict::fine, words, ""};
+  const bool is_usable = size == volume::VoxelSize::coarse;
   return {CheckTopic::spacing, is_usable ? Verdict::caution : Verdict::not_usable,
           words + (is_usable ? ": the skin is placed less well than with 1 mm"
                              : ": too coarse to place skin or cortex"),

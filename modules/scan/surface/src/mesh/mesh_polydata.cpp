@@ -100,17 +100,13 @@ std::vector<Eigen::Vector3d> vertexNormals(const TriangleMesh& mesh) {
 }
 
 void writePolyData(vtkPolyData& poly_data, const std::filesystem::path& path, FileAccess access) {
-  WholeFile file(path, access);
   vtkNew<vtkXMLPolyDataWriter> writer;
-  vtkNew<ErrorListener> listener;
-  writer->AddObserver(vtkCommand::ErrorEvent, listener);
   writer->SetInputData(&poly_data);
-  writer->SetFileName(file.temporaryPath().c_str());
+  writer->WriteToOutputStringOn();  // on a full disk VTK would write many lines to the terminal
   writer->EncodeAppendedDataOff();
   writer->SetCompressor(volume::fastCompressor());
-  if (writer->Write() != 1 || listener->has_error)
-    throw Error("the surface could not be written", path.string(), "is the disk full?");
-  file.commit();
+  if (writer->Write() != 1) throw Error("the surface could not be encoded", path.string());
+  writeWholeFile(path, writer->GetOutputString(), access);
 }
 
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& path) {

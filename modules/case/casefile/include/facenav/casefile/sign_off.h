@@ -13,8 +13,8 @@
 
 namespace facenav::casefile {
 
-enum class CaseState { prepared, checked, planned };
-/// Returns "prepared", "checked" or "planned".
+enum class CaseState { prepared, checked, planned, rejected };
+/// Returns "prepared", "checked", "planned" or "rejected".
 std::string toString(CaseState state);
 
 struct SignOff {
@@ -35,6 +35,14 @@ struct SignOffRequest {
   std::optional<std::map<std::string, std::string>> shown_sha256 = {};
 };
 
+/// A person's decision that the scan is not to be used, and that a new one is asked for: rejection.json in
+/// the case. A later sign-off takes it back.
+struct Rejection {
+  std::string by, utc, reason;
+};
+/// Writes rejection.json (whole, 0600). A sign-off no longer holds. Throws Error without a name or a reason.
+Rejection rejectScan(const CaseStore& store, const std::string& by, const std::string& reason);
+
 /// Writes sign_off.json (whole, 0600). Throws Error: no name, findings not acknowledged, files that changed
 /// since they were shown, or an unfinished correction of the brain.
 SignOff signOff(const CaseStore& store, const SignOffRequest& request);
@@ -45,8 +53,9 @@ struct SignOffStatus {
   std::optional<SignOff> last;       // nothing: the case was never signed off
   std::vector<std::string> changed;  // files changed, added or removed since
   bool has_draft = false;            // a correction of the brain is unfinished (edited_brain.h)
+  std::optional<Rejection> rejection = {};
 
-  bool holds() const { return last.has_value() && changed.empty() && !has_draft; }
+  bool holds() const { return last.has_value() && changed.empty() && !has_draft && !rejection; }
 };
 /// Reads the sign-off and compares the files. Throws Error for a malformed file.
 SignOffStatus signOffStatus(const CaseStore& store);
@@ -65,7 +74,8 @@ struct WorklistEntry {
   CaseState state = CaseState::prepared;
   std::vector<std::string> findings;
   std::string checked_by, problem;
-  std::string stamp;  // sizes and times of the case's files: an equal stamp means an equal entry
+  std::string rejection = {};  // who rejected the scan and why
+  std::string stamp;           // sizes and times of the case's files: an equal stamp means an equal entry
 };
 /// Lists the cases directly in `folder`, newest first, damaged ones last. Throws Error when the folder cannot
 /// be read. An entry of `known` (an earlier list) is reused if nothing in its folder changed, which saves

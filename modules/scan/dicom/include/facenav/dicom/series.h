@@ -1,7 +1,8 @@
 #pragma once
 // DICOM series on disk -> Volume (through GDCM). The volume is built from Image Position and Orientation
 // (Patient) (PS3.3 C.7.6.2), never from file names or slice location alone; rescale applied; LPS flipped to
-// RAS here only. Voxel values and world positions equal dcm2niix's.
+// RAS here only. Voxel values and world positions equal dcm2niix's, except MONOCHROME1: its bright and dark
+// are exchanged, so that air is dark.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -57,8 +58,9 @@ struct SeriesInfo {
   std::string problem;                 // reason as text, if !is_loadable
   std::filesystem::path problem_file;  // the file with the fault, if there is one
   std::vector<std::string> notes;      // duplicates dropped, lossy compression, CT gives the scalp only, ..
-  bool is_fit_for_navigation = false;  // a T1 of the whole head with voxels of at most 1.2 mm
-  std::string fitness;                 // "fit for navigation", or the reasons against it
+  int stated_images = 0, missing_images = 0;  // images that the headers speak of; those not in the folder
+  bool is_fit_for_navigation = false;  // by its headers: a T1 of the whole head, voxels of at most 1.2 mm
+  std::string fitness;  // that it is, and that the face is judged later; or the reasons against
   // The best T1 for navigation in the list. None if the list has several patients, or if that T1 is one of
   // several readings of the same slices.
   bool is_recommended = false;

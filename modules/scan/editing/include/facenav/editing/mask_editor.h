@@ -43,12 +43,16 @@ class MaskEditor {
   /// for autosave.
   const MaskChange& lastChange() const { return last_; }
   std::uint64_t revision() const { return revision_; }
+  /// Identifies the mask's content by its history: undo and redo return to the same state, a stroke that is
+  /// open or new makes another one.
+  std::uint64_t state() const;
   std::size_t historyBytes() const;
 
  private:
   struct Step {
     std::string name;
     PackedChange change;
+    std::uint64_t state = 0;  // after the step
   };
   void flipNow(const MaskChange& change);
   void remember(const std::string& name, MaskChange change);
@@ -59,7 +63,7 @@ class MaskEditor {
   bool is_stroke_ = false;
   std::string stroke_name_;
   MaskChange stroke_, last_;
-  std::uint64_t revision_ = 0;
+  std::uint64_t revision_ = 0, last_state_ = 0;
 };
 
 }  // namespace facenav::editing

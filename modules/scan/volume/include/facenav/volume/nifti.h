@@ -35,10 +35,12 @@ const std::vector<std::string>& niftiEndings();
 bool isNiftiName(const std::filesystem::path& path);
 
 /// Reads any of niftiEndings(), any scalar type, with scl_slope and scl_inter applied.
-/// Throws Error: missing, truncated, not NIfTI, not 3-D, colour, no orientation, not rigid up to scale, the
-/// requested map is absent.
+/// Throws Error: missing, truncated, not NIfTI, NIfTI-2, not 3-D, colour, no orientation, not rigid up to
+/// scale (the other map is offered if it is), impossible units, the requested map is absent.
 NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice = NiftiTransform::automatic);
 Mask readMask(const std::filesystem::path& path);
+/// The voxels above 0.5.
+Mask maskOf(const Volume& volume);
 
 /// Writes a .nii or .nii.gz completely or not at all: int16 if all values are integers in its range, else
 /// uint16 by the same rule, else float32. Sets both sform and qform (code 1) if the grid is orthogonal.

@@ -2,6 +2,8 @@
 // Regridding: the same anatomy on another grid. Algorithms that need a canonical axis order or cubic voxels
 // convert their input and convert their masks back.
 
+#include <optional>
+
 #include "facenav/volume/volume.h"
 
 namespace facenav::volume {
@@ -9,6 +11,10 @@ namespace facenav::volume {
 /// Permutes and flips axes (no interpolation) so that i, j, k are as close as possible to +R, +A, +S.
 Volume toRasOrder(const Volume& volume);
 Mask toRasOrder(const Mask& mask);
+
+/// The same mask on `grid` if both grids hold the same voxels and differ in the order or direction of their
+/// axes alone (within 1e-3 mm); otherwise nullopt.
+std::optional<Mask> reordered(const Mask& mask, const VoxelGrid& grid);
 
 /// Resamples trilinearly onto `grid` (0 outside). Values are not pre-smoothed for a coarser `grid`.
 Volume resample(const Volume& volume, const VoxelGrid& grid);

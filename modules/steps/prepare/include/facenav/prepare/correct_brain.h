@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "facenav/casefile/case_store.h"
@@ -35,9 +36,10 @@ BrainSurfaces saveCorrection(const casefile::CaseStore& store, const volume::Vol
 
 /// Edits of a correction, applied in the order of the members.
 struct BrainEdits {
-  bool discards_draft = false;                      // do not continue an unfinished correction
-  bool starts_automatic = false;                    // start from the mask that prepare made
-  std::optional<std::filesystem::path> drawn = {};  // a mask (NIfTI) on the scan's grid to start from
+  bool discards_draft = false;    // do not continue an unfinished correction
+  bool starts_automatic = false;  // start from the mask that prepare made
+  // A mask (NIfTI) on the scan's grid to start from; the order and direction of its axes do not matter.
+  std::optional<std::filesystem::path> drawn = {};
   std::vector<editing::Ball> added = {}, removed = {};
   std::vector<Point<Mri>> grown = {};  // adds the connected region of similar values around each point
   bool fills_holes = false, smooths = false;
@@ -45,6 +47,7 @@ struct BrainEdits {
 struct CorrectedBrain {
   double before_ml = 0, after_ml = 0;
   std::size_t added_voxels = 0, removed_voxels = 0;  // compared with the mask that was in force
+  std::vector<std::string> notes;                    // on the drawn mask: its two maps to world disagree
   bool had_draft = false;                            // the edits continued an unfinished correction
   bool isChanged() const { return added_voxels + removed_voxels > 0; }
 };
