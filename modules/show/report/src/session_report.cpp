@@ -269,12 +269,17 @@ std::string figuresPart(const casefile::KeptSession& session, SessionReport& rep
              "no bar. Dashed: 2 mm, and the tolerance of tilt and place.");
 }
 
+/// The pictures, two side by side, each over its caption.
 std::string picturesPart(const ReportOptions& options, SessionReport& report) {
   if (options.pictures.empty()) return {};
-  std::string html = headingHtml("Where the pulses went");
-  for (const ReportPicture& picture : options.pictures)
-    html += placed({std::nullopt, picture.image}, report) + paragraphHtml(picture.caption);
-  return html;
+  std::string html = headingHtml("Where the pulses went") + "<table class=\"pictures\">\n";
+  for (std::size_t i = 0; i < options.pictures.size(); ++i) {
+    const ReportPicture& picture = options.pictures[i];
+    html += (i % 2 == 0 ? "<tr><td>" : "<td>") + placed({std::nullopt, picture.image}, report) +
+            paragraphHtml(picture.caption) + "</td>";
+    if (i % 2 == 1 || i + 1 == options.pictures.size()) html += "</tr>\n";
+  }
+  return html + "</table>\n";
 }
 
 std::string exceptionsPart(const casefile::KeptSession& session) {
