@@ -20,7 +20,7 @@ namespace {
 constexpr int kSection = 2;  // level of a section's heading
 constexpr int kResolution_dpi = 300, kMargin_mm = 14, kFoot_mm = 8;
 constexpr double kChartSharpness = 3.0;                      // pixels of a chart per unit, for paper
-constexpr int kChartWidth_px = 222, kPictureWidth_px = 330;  // at 96 dpi; the page is 688 wide
+constexpr int kChartWidth_px = 222, kPictureWidth_px = 280;  // at 96 dpi; the page is 688 wide
 
 const char* const kStyle =
     "body{font-family:sans-serif;font-size:11px;color:#1d2430}"
@@ -57,6 +57,7 @@ void keepHeadings(QTextDocument& document) {
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
     const QTextBlock next = block.next();
     if (block.blockFormat().headingLevel() != kSection || !next.isValid()) continue;
+    document.pageCount();  // lays out all of it; rectangles are known only then
     const auto* layout = document.documentLayout();
     const QRectF own = layout->blockBoundingRect(block), after = layout->blockBoundingRect(next);
     if (pageOf(own.top()) == pageOf(after.bottom() - 1)) continue;

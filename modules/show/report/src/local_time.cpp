@@ -8,10 +8,13 @@
 namespace facenav::report {
 namespace {
 
-constexpr std::size_t kNameSize = 16;  // of 20261123T140509Z; a session's name may go on with _2
+constexpr std::size_t kPlainSize = 20;  // of 2026-11-23T14:05:09Z, without milliseconds
+constexpr std::size_t kNameSize = 16;   // of 20261123T140509Z; a session's name may go on with _2
 
 std::string local(const std::string& utc, const char* form) {
   auto seconds = secondsOfUtc(utc);
+  if (!seconds && utc.size() == kPlainSize && utc.back() == 'Z')
+    seconds = secondsOfUtc(utc.substr(0, kPlainSize - 1) + ".000Z");
   if (!seconds && utc.size() > kNameSize) seconds = secondsOfUtc(utc.substr(0, kNameSize));
   if (!seconds) return utc;
   const auto time = std::time_t(std::floor(*seconds));

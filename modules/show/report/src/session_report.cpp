@@ -259,11 +259,11 @@ std::string figuresPart(const casefile::KeptSession& session, SessionReport& rep
   }
   const guidance::Tolerance tolerance{};
   const auto chart = [&](Chart drawn) { return placed({std::move(drawn), {}}, report); };
-  return headingHtml("Pulses against their targets") +
+  return headingHtml("Pulses against their targets") + "<p>" +
          chart(histogramChart("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm)) +
          chart(histogramChart("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegPerRad)) +
          chart(placesChart("Where the coil's centre was", places, tolerance.lateral_mm)) +
-         chart(driftChart(session.pulses.pulses, PulseColumn::distance)) +
+         chart(driftChart(session.pulses.pulses, PulseColumn::distance)) + "</p>\n" +
          paragraphHtml(
              "Filled circle: on target. Open square: outside the tolerance. Grey cross: excluded, in "
              "no bar. Dashed: 2 mm, and the tolerance of tilt and place.");

@@ -2,12 +2,15 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include "facenav/casefile/pulse_file.h"
 #include "facenav/casefile/session_log.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/report/local_time.h"
 #include "facenav/report/session_report.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
@@ -172,6 +175,18 @@ TEST(SessionReview, EndedNormallyOnlyIfItDid) {
   EXPECT_THAT(reportOf({0}, {"fault=no picture", "face found=", "session ended="}),
               HasSubstr("ended normally"))
       << "it had recovered";
+}
+
+TEST(SessionReview, TimesOfDayAreLocal) {
+  ::setenv("TZ", "Asia/Tokyo", 1);
+  ::tzset();
+  for (const char* utc :
+       {"2026-11-23T14:05:09.123Z", "2026-11-23T14:05:09Z", "20261123T140509Z", "20261123T140509Z_2"})
+    EXPECT_EQ(report::localTimeAndZone(utc), "2026-11-23 23:05:09 (UTC+0900)") << utc;
+  EXPECT_EQ(report::localClock("20261123T140509Z"), "23:05:09");
+  EXPECT_EQ(report::localTime("no time"), "no time");
+  ::unsetenv("TZ");
+  ::tzset();
 }
 
 TEST(SessionReview, PausesAreListedWithReasonAndLength) {
