@@ -128,24 +128,20 @@ std::string joined(const std::vector<std::string>& words, const char* none) {
   return all.empty() ? none : all;
 }
 
-/// "coil too warm (after 151 s); equipment (not ended)".
+/// "coil too warm (151 s); equipment (not ended)".
 std::string pauseWords(const casefile::KeptSession& session) {
-  std::vector<std::string> pauses;
-  bool is_open = false;
-  const auto close = [&](const std::string& length) {
-    if (is_open) pauses.back() += " (" + length + ")";
-    is_open = false;
-  };
+  std::vector<std::string> reasons, lengths;
   for (const auto& e : session.events) {
     if (e.event == session_events::kPause) {
-      close("not ended");
-      pauses.push_back(e.detail.empty() ? "no reason given" : e.detail);
-      is_open = true;
+      reasons.push_back(e.detail.empty() ? "no reason given" : e.detail);
+      lengths.resize(reasons.size(), "not ended");
     }
-    if (e.event == session_events::kResume) close(e.detail.empty() ? "ended" : e.detail);
+    if (lengths.empty()) continue;
+    if (e.event == session_events::kResume) lengths.back() = "ended";
+    if (e.event == session_events::kPauseLength) lengths.back() = e.detail;
   }
-  close("not ended");
-  return joined(pauses, "none");
+  for (std::size_t i = 0; i < reasons.size(); ++i) reasons[i] += " (" + lengths[i] + ")";
+  return joined(reasons, "none");
 }
 
 std::string signOffWords(const casefile::CaseStore& store) {

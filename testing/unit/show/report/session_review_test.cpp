@@ -190,8 +190,8 @@ TEST(SessionReview, TimesOfDayAreLocal) {
 }
 
 TEST(SessionReview, PausesAreListedWithReasonAndLength) {
-  EXPECT_THAT(reportOf({0}, {"pause=coil too warm", "resume=after 151 s", "pause=equipment"}),
-              HasSubstr("coil too warm (after 151 s); equipment (not ended)"));
+  EXPECT_THAT(reportOf({0}, {"pause=coil too warm", "resume=", "pause length=151 s", "pause=equipment"}),
+              HasSubstr("coil too warm (151 s); equipment (not ended)"));
 }
 
 TEST_F(SessionReviewTest, TheReportIsKeptWithTheSessionForThisUserOnly) {

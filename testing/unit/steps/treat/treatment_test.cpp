@@ -116,7 +116,7 @@ TEST_F(TreatmentTest, PulsesOfTheKeyAndOfTheNetworkAreKeptWithSourceIntensityAnd
   std::string events;
   for (const auto& event : session.events) events += event.event + ": " + event.detail + "\n";
   EXPECT_THAT(events, HasSubstr("pulse source: udp:127.0.0.1:38911: listening"));
-  EXPECT_THAT(events, HasSubstr("pause: coil too warm\nresume: after 0 s\n"));
+  EXPECT_THAT(events, HasSubstr("pause: coil too warm\nresume: \npause length: 0 s\n"));
   EXPECT_THAT(events, ::testing::Not(HasSubstr("double trigger")));
 }
 

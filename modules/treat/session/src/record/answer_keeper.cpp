@@ -13,6 +13,9 @@ bool AnswerKeeper::isOpen(int newest) const {
 bool AnswerKeeper::add(int newest, const Answer& answer) {
   if (!isOpen(newest)) return false;
   std::lock_guard lock(mutex_);
+  const bool replaces = reopened_ && reopened_->pulse == newest && !std::holds_alternative<double>(answer);
+  if (replaces) unwritten_.push_back({newest, reopened_->answer, true});
+  reopened_.reset();
   given_.push_back({newest, answer});
   unwritten_.push_back(given_.back());
   return true;
@@ -21,9 +24,13 @@ bool AnswerKeeper::add(int newest, const Answer& answer) {
 bool AnswerKeeper::takeBack() {
   std::lock_guard lock(mutex_);
   if (given_.empty()) return false;
-  given_.back().is_taken_back = true;
-  unwritten_.push_back(given_.back());
+  Given last = given_.back();
   given_.pop_back();
+  last.is_taken_back = true;
+  if (std::holds_alternative<double>(last.answer))
+    reopened_ = last;
+  else
+    unwritten_.push_back(last);
   return true;
 }
 

@@ -23,8 +23,9 @@ class AnswerKeeper {
   bool isOpen(int newest) const;
   /// Adds the newest pulse's answer. Returns false if it has one, or if there is no pulse.
   bool add(int newest, const Answer& answer);
-  /// Takes the last answer back; its pulse can be answered again while it is the newest. Returns false
-  /// without one.
+  /// Takes the last answer back; its pulse can be answered again while it is the newest. A twitch is taken
+  /// back in the files, too; an MEP, which was measured, stays there until another answer replaces it.
+  /// Returns false without one.
   bool takeBack();
   /// Writes the answers of the pulses up to `kept`, which are in the file. Throws Error; the rest is written
   /// by the next call.
@@ -40,7 +41,8 @@ class AnswerKeeper {
 
   const int earlier_;
   mutable std::mutex mutex_;
-  std::vector<Given> given_;  // in force, in the order of the pulses
+  std::vector<Given> given_;       // in force, in the order of the pulses
+  std::optional<Given> reopened_;  // an MEP that the next answer replaces
   std::deque<Given> unwritten_;
 };
 

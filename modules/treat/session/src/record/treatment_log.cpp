@@ -320,8 +320,10 @@ void TreatmentLog::pause(const std::string& reason) {
 }
 
 void TreatmentLog::resume() {
-  if (const auto length_s = implementation_->pauses.end())
-    addEvent("resume", formatted("after %.0f s", *length_s));
+  const auto length_s = implementation_->pauses.end();
+  if (!length_s) return;
+  addEvent("resume");
+  addEvent("pause length", formatted("%.0f s", *length_s));
 }
 
 const PauseTimes& TreatmentLog::pauses() const { return implementation_->pauses; }
