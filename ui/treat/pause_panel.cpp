@@ -5,7 +5,14 @@
 #include <QPushButton>
 #include <QTime>
 
+#include "shell/appearance.h"
+
 namespace facenav::ui {
+namespace {
+
+constexpr double kSmall_pt = 13;  // of the line below the title
+
+}  // namespace
 
 PausePanel::PausePanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), treat_(treat) {
   setObjectName("pause_banner");
@@ -13,6 +20,7 @@ PausePanel::PausePanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent),
   words_ = new QLabel(this);
   words_->setObjectName("pause_words");
   words_->setWordWrap(true);
+  words_->setTextFormat(Qt::RichText);
   auto* go_on = new QPushButton(tr("Go on guiding"), this);
   go_on->setObjectName("primary");
   go_on->setToolTip(tr("ends the pause (Space)"));
@@ -35,8 +43,11 @@ void PausePanel::showState() {
 void PausePanel::refresh() {
   if (!isVisibleTo(parentWidget())) return;
   const QString length = QTime(0, 0).addMSecs(int(1e3 * treat_.pauseLength_s())).toString("h:mm:ss");
-  const QString words = tr("%1  (%2). The clock holds. Pulses are kept and marked; nobody is guided.")
-                            .arg(treat_.pauseWords(), length);
+  const QString words =
+      QStringLiteral("<div>%1  (%2)</div><div style='font-size:%3pt'>%4</div>")
+          .arg(treat_.pauseWords().toHtmlEscaped(), length)
+          .arg(kSmall_pt * textScale())
+          .arg(tr("The clock holds. Pulses are kept and marked; nobody is guided.").toHtmlEscaped());
   if (words != words_->text()) words_->setText(words);
 }
 
