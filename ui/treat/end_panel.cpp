@@ -28,6 +28,7 @@ EndPanel::EndPanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), tre
   end->setObjectName("primary");
   end->setToolTip(tr("closes the session; it can still be read, and continued, later"));
   auto* back = new QPushButton(tr("Back to the session"), this);
+  back->setToolTip(tr("the session goes on as it was (Space)"));
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("pain after"), this));
   row->addWidget(pain_);
