@@ -40,7 +40,7 @@ struct Arguments {
   app::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
   std::string report_pdf, session, home, rig;
-  bool has_name = false, has_no_pictures = false, is_set_up = false;
+  bool then_guides = false, has_name = false, has_no_pictures = false, is_set_up = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
 
@@ -171,7 +171,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     window.overrideSignOff(QString::fromStdString(arguments.by),
                            QString::fromStdString(arguments.override_reason));
   openWhatIsAsked(window, arguments);
-  if (!arguments.recording.empty()) window.play(QString::fromStdString(arguments.recording));
+  if (!arguments.recording.empty())
+    window.play(QString::fromStdString(arguments.recording), arguments.then_guides);
   if (arguments.workspace == "plan") window.setWorkspace(ui::Workspace::plan);
   if (arguments.workspace == "review") window.setWorkspace(ui::Workspace::review);
   if (arguments.workspace == "treat" || (arguments.workspace.empty() && !arguments.recording.empty()))
@@ -201,7 +202,8 @@ int main(int argc, char** argv) {
                                 "treat the case without a sign-off for this reason; recorded in the case");
   auto* by = cli.add_option("--by", arguments.by, "who overrides");
   reason->needs(by);
-  cli.add_option("--play", arguments.recording, "recording to align with and to play live");
+  auto* play = cli.add_option("--play", arguments.recording, "recording to align with, to play it live");
+  cli.add_flag("--guide", arguments.then_guides, "with --play: start guiding at once")->needs(play);
   cli.add_option("--workspace", arguments.workspace, "prepare, plan, treat or review")
       ->check(CLI::IsMember({"prepare", "plan", "treat", "review"}));
   cli.add_option("--screenshot", arguments.screenshot, "save a picture of the window (PNG) and quit");

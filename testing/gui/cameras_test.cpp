@@ -239,7 +239,7 @@ TEST_F(CamerasTest, AlignsFromTwoPicturesOfNowAndGuides) {
   *unplugged_ = true;
   ASSERT_TRUE(fixtures::waitFor([&] { return !treat_->state()->failure.empty(); }));
   EXPECT_FALSE(treat_->state()->camera_T_mri);  // no old pose remains
-  treat_->stop();
+  treat_->end();
   EXPECT_EQ(*open_, 0);
 }
 
@@ -251,7 +251,7 @@ TEST_F(CamerasTest, ACameraThatHangsWhileGuidingDoesNotHoldUpTheWindow) {
     std::this_thread::sleep_for(std::chrono::seconds(5));
     *hung = false;
   });
-  treat_->stop();
+  treat_->end();
   EXPECT_TRUE(*hung_);  // the window continued before the camera did
   EXPECT_FALSE(treat_->isRunning());
   *hung_ = false;
@@ -353,7 +353,7 @@ TEST_F(CamerasTest, ASessionThatTakesTheCamerasOverKeepsTheAlignment) {
   openCameras();
   ASSERT_NO_FATAL_FAILURE(guide());
   EXPECT_TRUE(treat_->isAligned());
-  treat_->stop();
+  treat_->end();
   ASSERT_TRUE(fixtures::waitFor([&] { return *open_ == 0; }));
   EXPECT_TRUE(treat_->isAligned());
   treat_->start();

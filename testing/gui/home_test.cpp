@@ -134,12 +134,34 @@ TEST_F(HomePresenterTest, GoesThroughThreeStepsAndEndsWithOneFile) {
   EXPECT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().on_target == 1; }));
   EXPECT_EQ(home.plannedPulses(), 200);
   home.act();
+  EXPECT_EQ(home.stage(), Stage::guiding) << "it is asked once";
+  EXPECT_EQ(home.actionWords(), "YES, FINISH");
+  home.goOn();
+  EXPECT_EQ(home.actionWords(), "FINISH");
+  home.act();
+  home.act();
   ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::ended; }));
   EXPECT_EQ(home.pulseCounts().on_target, 1) << "still shown at the end";
   const fs::path file = folder_.path() / home.sendBackName().toStdString();
   EXPECT_TRUE(home.save(QString::fromStdString(file.string())));
   EXPECT_EQ(readZip(file).count("pulses.csv"), 1u);
   EXPECT_EQ(home.actionWords(), "CLOSE");
+  fs::create_directories(folder_.path() / "desktop");
+  const QString desktop = QString::fromStdString((folder_.path() / "desktop").string());
+  EXPECT_EQ(home.saveIn({desktop, "/nowhere"}), QStringList{desktop}) << "one place is enough";
+  EXPECT_EQ(home.savedAs(), desktop + "/" + home.sendBackName());
+}
+
+TEST_F(HomePresenterTest, WithoutAPulseOnTargetNothingIsCalledDone) {
+  const Services services = homeServices(seen_);
+  HomePresenter home(services, tasks_);
+  open(home);
+  EXPECT_TRUE(home.stillPicture()) << "a picture while it waits";
+  ASSERT_TRUE(guides(home));
+  home.act();
+  home.act();
+  ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::ended; }));
+  EXPECT_TRUE(home.words().contains("without a pulse on target")) << home.words().toStdString();
 }
 
 TEST_F(HomePresenterTest, AnotherPersonAndMovedCamerasDoNotStart) {
@@ -215,8 +237,10 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
     QTest::qWait(200);
     take(window, QString("follow_") + name);
     EXPECT_EQ(window.size(), size) << "no words widen the window";
-    QTest::keyClick(&window, Qt::Key_Return);
+    for (int i = 0; i < 2; ++i) QTest::keyClick(&window, Qt::Key_Return);
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::ended; }));
+    for (auto* step : window.findChildren<FittedWords*>())
+      EXPECT_FALSE(step->words().contains(QChar(0x2713))) << "no pulse was on target";
     home.save(QString::fromStdString((folder_.path() / (std::string(name) + ".zip")).string()));
     QTest::qWait(200);
     take(window, QString("ended_") + name);

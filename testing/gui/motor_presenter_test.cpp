@@ -75,7 +75,7 @@ TEST_F(MotorPresenterTest, EachAnswerIsKeptWithItsPulseAndMovesTheSearch) {
   EXPECT_EQ(motor_.state()->pulses, 2);
   motor_.takeBack();
   EXPECT_DOUBLE_EQ(treat_.intensity().value(), second_pct);
-  treat_.stop();
+  treat_.end();
   const auto session = kept();
   ASSERT_EQ(session.pulses.pulses.size(), 2u);
   EXPECT_DOUBLE_EQ(session.pulses.pulses[0].pulse.intensity_pct.value(), 52);
@@ -85,6 +85,48 @@ TEST_F(MotorPresenterTest, EachAnswerIsKeptWithItsPulseAndMovesTheSearch) {
   MotorPresenter again(treat_, model_);
   again.search(stimulation::ThresholdMethod::bayes, "");
   EXPECT_EQ(again.state()->pulses, 1) << "gone on with in the next session";
+}
+
+TEST_F(MotorPresenterTest, AKeyWithoutAPulseIsNoAnswerAndTheQuestionNamesThePulse) {
+  guide();
+  motor_.search(stimulation::ThresholdMethod::bayes, "FDI");
+  EXPECT_TRUE(motor_.question().startsWith("No pulse to answer for")) << motor_.question().toStdString();
+  EXPECT_FALSE(motor_.canAnswer());
+  motor_.answer(true);
+  EXPECT_EQ(motor_.state()->pulses, 0);
+  pulse();
+  EXPECT_TRUE(motor_.question().startsWith("Pulse 1 at 52 %: did the muscle move?"))
+      << motor_.question().toStdString();
+  treat_.setIntensity(70.0);  // for the next pulse, typed before the answer
+  motor_.answer(true);
+  const double next_pct = treat_.intensity().value();
+  refused_.clear();
+  for (int bounce = 0; bounce < 2; ++bounce) {
+    motor_.answer(true);
+    motor_.answer(false);
+  }
+  EXPECT_EQ(motor_.state()->pulses, 1) << "one answer a pulse";
+  EXPECT_DOUBLE_EQ(treat_.intensity().value(), next_pct) << "the proposal has not moved";
+  EXPECT_TRUE(refused_.startsWith("Pulse 1 is answered")) << refused_.toStdString();
+  ASSERT_TRUE(motor_.canTakeBack());
+  motor_.takeBack();
+  EXPECT_EQ(motor_.state()->pulses, 0);
+  EXPECT_TRUE(motor_.canAnswer()) << "the pulse can be answered again";
+  motor_.answer(false);
+  EXPECT_EQ(motor_.state()->pulses, 1);
+  EXPECT_GT(treat_.intensity().value(), 52);
+  treat_.end();
+  EXPECT_EQ(casefile::readTwitches(kept().folder), (std::map<int, bool>{{1, false}}));
+}
+
+TEST_F(MotorPresenterTest, APulseFromBeforeTheSearchIsNoneOfIts) {
+  guide();
+  treat_.setIntensity(80.0);
+  pulse();
+  motor_.search(stimulation::ThresholdMethod::bayes, "FDI");
+  motor_.answer(true);
+  EXPECT_EQ(motor_.state()->pulses, 0);
+  EXPECT_EQ(motor_.question().left(19), "Pulse 1 is answered") << "it is kept with its pulse all the same";
 }
 
 TEST_F(MotorPresenterTest, AHuntGuidesFromSiteToSiteAndBackToTheTarget) {
@@ -105,7 +147,7 @@ TEST_F(MotorPresenterTest, AHuntGuidesFromSiteToSiteAndBackToTheTarget) {
   motor_.endHunt();
   EXPECT_EQ(treat_.target()->name, target);
   EXPECT_EQ(model_.current().plan.targets.size(), 1u) << "sites are not targets of the plan";
-  treat_.stop();
+  treat_.end();
   EXPECT_EQ(kept().pulses.pulses[0].pulse.target->name, site);
 }
 
@@ -127,7 +169,7 @@ TEST_F(MotorPresenterTest, NotesPausesAndASourceAreEventsAndPainMayFollowTheEnd)
   EXPECT_FALSE(treat_.setPulseSource("usb:1")) << "unknown words change nothing";
   EXPECT_TRUE(treat_.setPulseSource("udp:127.0.0.1:38912"));
   EXPECT_TRUE(treat_.setPulseSource(""));
-  treat_.stop();
+  treat_.end();
   EXPECT_TRUE(treat_.note("pain after", "2"));
   std::string events;
   for (const auto& event : kept().events) events += event.event + "=" + event.detail + ";";

@@ -263,7 +263,7 @@ TEST(Pictures, OfGuidance) {
   window.openCase(QString::fromStdString(entries.front().folder.string()));
   ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 60000));
   window.setWorkspace(Workspace::treat);
-  window.play(recording);
+  window.play(recording, true);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 60000));
   Pictures shots(window, pictures);
   shots.take("7_treat_guiding");

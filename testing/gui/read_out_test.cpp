@@ -20,6 +20,7 @@ session::NavigationState trackedState() {
   state.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
   state.target = "spot";
   guidance::Target target;
+  state.chosen = std::make_shared<session::ChosenTarget>(session::ChosenTarget{target, 0.8, 1.4});
   const RigidTransform<Mri, Coil> coil(Eigen::Quaterniond::Identity(), {2.4, 0.0, -1.0});
   state.guidance = {
       guidance::State::adjust, guidance::Action::move, {}, guidance::evaluate(target, coil), 0.8, "move"};
@@ -32,7 +33,7 @@ TEST(ReadOut, GivesMillimetresWithOneDecimalAndWholeDegrees) {
   EXPECT_EQ(out.depth, "-1.0");
   EXPECT_EQ(out.tilt, QString("0") + QChar(0xb0));
   EXPECT_TRUE(out.instruction.startsWith("ADJUST"));
-  EXPECT_TRUE(out.predicted.contains("0.8 mm"));
+  EXPECT_EQ(out.predicted, "95 % within 1.4 mm at the target");
   EXPECT_EQ(out.face.level, Level::good);
 }
 
@@ -51,6 +52,18 @@ TEST(ReadOut, BlanksEveryFigureWhenLostOrStale) {
     EXPECT_TRUE(out.face.tip.contains(": ")) << out.face.tip.toStdString();
     EXPECT_EQ(out.face.tip.indexOf('_'), -1);
   }
+}
+
+TEST(ReadOut, WhilePausedNoFigureStandsAndNothingIsOnTarget) {
+  auto state = trackedState();
+  state.guidance.state = guidance::State::on_target;
+  ASSERT_TRUE(makeReadOut(state).instruction.startsWith("ON TARGET"));
+  const ReadOut out = whilePaused(makeReadOut(state), "PAUSED: coil too warm");
+  EXPECT_EQ(out.instruction, "PAUSED: coil too warm");
+  EXPECT_EQ(out.level, Level::idle);
+  for (const QString& figure : {out.across, out.depth, out.tilt, out.twist})
+    EXPECT_EQ(figure, QString(QChar(0x2013)));
+  EXPECT_TRUE(out.predicted.isEmpty());
 }
 
 TEST(FiguresPanel, FiguresAreLegibleFromTwoMetres) {

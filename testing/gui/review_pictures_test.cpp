@@ -70,7 +70,7 @@ void treatOnce(const fs::path& case_folder, const char* recording) {
   window.openCase(QString::fromStdString(case_folder.string()));
   ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 60000));
   window.setWorkspace(Workspace::treat);
-  window.play(recording);
+  window.play(recording, true);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 120000));
   takeLive(window);
   giveTrains(window);

@@ -146,7 +146,7 @@ class TreatCheck : public ::testing::Test {
     window.openCase(QString::fromStdString(case_folder_.string()));
     const auto recording = writeRecording(folder_.path(), 3000);
     cameras::writeProjector(someProjector(), recording / "projector.yml");
-    window.play(QString::fromStdString(recording.string()));
+    window.play(QString::fromStdString(recording.string()), true);
     window.setWorkspace(Workspace::treat);
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().state()->frame > 2; }));
@@ -179,11 +179,11 @@ TEST_F(TreatCheck, ThePersonsJudgementOfTheTipIsAnEvent) {
   const std::string words = inWords(*tip.reading());
   QPushButton* right = nullptr;
   for (auto* button : treat->findChild<TipPanel*>()->findChildren<QPushButton*>())
-    if (button->text().contains("Right")) right = button;
+    if (button->text().contains("Matches")) right = button;
   ASSERT_NE(right, nullptr);
   right->click();
-  EXPECT_TRUE(tip.words().contains("judged right")) << tip.words().toStdString();
-  treat->presenter().stop();
+  EXPECT_TRUE(tip.words().contains("matches: ")) << tip.words().toStdString();
+  treat->presenter().end();
   std::string events;
   ASSERT_TRUE(fixtures::waitFor([&] {
     events.clear();
@@ -201,13 +201,13 @@ TEST_F(TreatCheck, AnAlignmentThatWasJudgedWrongGuidesNobodyAndStartsNoOtherSess
   TreatPresenter& treat = window.findChild<TreatWorkspace*>()->presenter();
   ASSERT_TRUE(fixtures::waitFor([&] { return tip.canJudge(); }));
   tip.judge(steps::TipVerdict::wrong);
-  EXPECT_TRUE(tip.words().contains("judged WRONG")) << tip.words().toStdString();
+  EXPECT_TRUE(tip.words().contains("DOES NOT MATCH")) << tip.words().toStdString();
   EXPECT_TRUE(fixtures::waitFor([&] { return !treat.state()->camera_T_mri; }));
   treat.checkRegistration();
   QTest::qWait(300);
   EXPECT_FALSE(treat.state()->camera_T_mri);
   keepPicture(window, "treat_judged_wrong");
-  treat.stop();
+  treat.end();
   EXPECT_FALSE(treat.isAligned());
   treat.start();
   QTest::qWait(200);
@@ -250,7 +250,7 @@ TEST_F(TreatCheck, TheSecondScreensFollowTheSessionAndGoDarkWithIt) {
   treat->presenter().chooseTarget("");
   EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->figure().isEmpty(); }, 5000))
       << "without a target there is no figure";
-  treat->presenter().stop();
+  treat->presenter().end();
   EXPECT_TRUE(fixtures::waitFor([&] { return screens.projector()->isBlack(); }, 5000));
   screens.guidance()->close();
   screens.showProjector(false);

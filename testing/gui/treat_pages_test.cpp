@@ -49,7 +49,7 @@ class TreatPages : public ::testing::Test {
     const auto case_folder = plannedCase(folder_.path(), true);
     window.show();
     window.openCase(QString::fromStdString(case_folder.string()));
-    window.play(QString::fromStdString(writeRecording(folder_.path(), 3000).string()));
+    window.play(QString::fromStdString(writeRecording(folder_.path(), 3000).string()), true);
     window.setWorkspace(Workspace::treat);
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().state()->frame > 2; }));
@@ -139,6 +139,12 @@ TEST_F(TreatPages, TheKeysYAndNAnswerOnTheMotorPageOnly) {
   QTest::keyClick(&window, Qt::Key_Y);
   EXPECT_TRUE(fixtures::waitFor([&] { return treat->motor().state()->pulses == 1; }, 2000));
   EXPECT_EQ(treat->motor().state()->responses, 1);
+  QTest::keyClick(&window, Qt::Key_N);
+  QTest::qWait(100);
+  EXPECT_EQ(treat->motor().state()->pulses, 1) << "one answer a pulse";
+  QTest::keyClick(&window, Qt::Key_P);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().pulses() == 2; }));
+  QTest::qWait(100);
   QTest::keyClick(&window, Qt::Key_N);
   EXPECT_TRUE(fixtures::waitFor([&] { return treat->motor().state()->pulses == 2; }, 2000));
   EXPECT_EQ(treat->motor().state()->responses, 1);

@@ -66,7 +66,7 @@ TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
     window.openCase(QString::fromStdString(case_folder.string()));
     ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 90000));
     window.setWorkspace(Workspace::treat);
-    window.play(recording_);
+    window.play(recording_, true);
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 240000));
     fixtures::waitFor([&] { return window.treat().state()->guidance.state == guidance::State::on_target; },
                       10000);
@@ -112,6 +112,7 @@ TEST_F(TreatPictures, OfTheHomeWindow) {
     fixtures::waitFor([&] { return home.advice().step == steps::HomeStep::follow; }, 60000);
     home.countPulse();
     take(window, "home_follow_" + name);
+    home.act();
     home.act();
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == HomePresenter::Stage::ended; }, 60000));
     take(window, "home_ended_" + name);

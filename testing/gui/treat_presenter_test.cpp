@@ -3,6 +3,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <thread>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
@@ -71,12 +72,65 @@ TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride
   ASSERT_TRUE(treat_.isRunning());
   treat_.countPulse();
   EXPECT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 1; }));
-  treat_.stop();
+  treat_.end();
   for (const char* word : {"session started", "B. Clinician: emergency", "spot", "aligned: "})
     EXPECT_NE(events().find(word), std::string::npos) << word;
   const auto session = casefile::findSession(case_folder_, "");
   ASSERT_EQ(casefile::readSessionPulses(session).pulses.size(), 1u);
   EXPECT_TRUE(fixtures::waitFor([&] { return std::filesystem::exists(session / "report.html"); }));
+}
+
+TEST_F(TreatPresenterTest, PressesThatABusyWindowHandlesTogetherAreOnePulseEachAtTheirOwnTimes) {
+  openAll(true, 400);
+  guide();
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 2; }));
+  const Timestamp begin = Timestamp::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2200));  // the window is busy
+  for (const double at_s : {0.2, 0.8, 1.4, 2.0}) treat_.countPulse({begin.s + at_s});
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 4; }));
+  treat_.end();
+  const auto pulses = casefile::readSessionPulses(casefile::findSession(case_folder_, "")).pulses;
+  ASSERT_EQ(pulses.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(pulses[i].pulse.steady_s, begin.s + 0.2 + 0.6 * double(i), 1e-3);
+    EXPECT_TRUE(pulses[i].pulse.mri_T_coil()) << "with the pose of its own time: " << pulses[i].pulse.reason;
+  }
+}
+
+TEST_F(TreatPresenterTest, StoppingGuidanceAndEndingTheSessionAreTwoThings) {
+  openAll(true, 400);
+  guide();
+  treat_.stopGuiding();
+  EXPECT_TRUE(treat_.isRunning());
+  EXPECT_TRUE(treat_.isPaused());
+  treat_.guide();
+  EXPECT_TRUE(treat_.isGuiding());
+  treat_.askEnd();
+  EXPECT_TRUE(treat_.isEnding());
+  EXPECT_FALSE(treat_.isGuiding()) << "nobody is guided while the end is asked for";
+  EXPECT_FALSE(treat_.summary().isEmpty());
+  treat_.cancelEnd();
+  EXPECT_TRUE(treat_.isGuiding());
+  QString ended;
+  QObject::connect(&treat_, &TreatPresenter::sessionEnded, [&](const QString& name) { ended = name; });
+  treat_.askEnd();
+  treat_.end("4", "headache");
+  EXPECT_FALSE(treat_.hasSession());
+  ASSERT_TRUE(fixtures::waitFor([&] { return !ended.isEmpty(); }));
+  const auto folder = casefile::findSession(case_folder_, ended.toStdString());
+  std::ifstream file(folder / "report.html");
+  const std::string report((std::istreambuf_iterator<char>(file)), {});
+  for (const char* words : {"ended normally", "headache", "Pain after (0 to 10)</td><td>4"})
+    EXPECT_NE(report.find(words), std::string::npos) << words;
+}
+
+TEST_F(TreatPresenterTest, ASessionThatAnotherCaseEndedHasNotEndedNormally) {
+  openAll(true, 400);
+  guide();
+  TaskMonitor monitor;
+  model_.open(loadCase(case_folder_, monitor));
+  EXPECT_FALSE(treat_.hasSession());
+  EXPECT_NE(events().find("another case was opened"), std::string::npos);
 }
 
 TEST_F(TreatPresenterTest, AnOverrideEndsWithTheCaseBeingOpenedAgain) {
@@ -140,7 +194,7 @@ TEST_F(TreatPresenterTest, AfterTheRecordingVanishedAndCameBackTheOldSessionEnds
     ASSERT_EQ(had_log_ended.size(), 1u);
     EXPECT_TRUE(had_log_ended[0]) << "the log still read a session that had gone";
   }
-  treat_.stop();
+  treat_.end();
   EXPECT_TRUE(fixtures::waitFor([&] {
     const std::lock_guard lock(mutex);
     return had_log_ended.size() == 2;

@@ -129,7 +129,7 @@ TEST_F(TreatReturn, GoingOnKeepsCountingAndGuidesOnlyAfterTheFaceWasMeasured) {
   EXPECT_TRUE(reads("Registration passed: 0.4 mm, 0.2"));
   EXPECT_EQ(check_.level(), Level::good);
   EXPECT_TRUE(fixtures::waitFor([&] { return bool(treat_.state()->camera_T_mri); }));
-  treat_.stop();
+  treat_.end();
   const std::string events = textOf(session_ / "events.jsonl");
   for (const char* words : {"session continued", "after 40 pulses", "failed: face 4.2 mm and 1.5 deg",
                             "passed: face 0.4 mm and 0.2 deg"})

@@ -1,13 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
+#include <QFrame>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QTextBrowser>
 #include <QtTest/QTest>
 #include <future>
 #include <mutex>
 #include <set>
 #include <thread>
 
+#include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
@@ -59,7 +65,7 @@ TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   ASSERT_TRUE(fixtures::waitFor([&] { return row->shown() != nullptr; }));
   EXPECT_GT(row->shown()->state->frame, first) << "the picture begun long ago was too old";
   EXPECT_DOUBLE_EQ(row->shown()->captured.s, row->shown()->state->captured.s);
-  treat.stop();
+  treat.end();
   const std::lock_guard lock(mutex);
   EXPECT_FALSE(drew.empty());
   EXPECT_EQ(drew.count(std::this_thread::get_id()), 0u);
@@ -72,7 +78,7 @@ TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {
   MainWindow window(fakeServices());
   window.show();
   window.openCase(QString::fromStdString(case_folder.string()));
-  window.play(QString::fromStdString(writeRecording(folder.path(), 240).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 240).string()), true);
   window.setWorkspace(Workspace::treat);
   auto* figures = window.findChild<FiguresPanel*>();
   ASSERT_NE(figures, nullptr);
@@ -104,7 +110,7 @@ TEST(Treat, HeaderAndPageTellOneTruthAboutTheAlignment) {
   ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }));
   EXPECT_TRUE(header->text().endsWith("not aligned in this session")) << header->text().toStdString();
   EXPECT_TRUE(agree());
-  window.play(QString::fromStdString(writeRecording(folder.path(), 50).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 50).string()), true);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isAligned() && window.isSettled(); }));
   EXPECT_TRUE(window.treat().alignmentWords().startsWith("aligned"));
   EXPECT_TRUE(agree()) << header->text().toStdString();
@@ -117,14 +123,14 @@ QPushButton* buttonOf(MainWindow& window, const QString& key) {
   return nullptr;
 }
 
-TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
+TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidanceNotTheSession) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   testing::TemporaryFolder folder;
   const auto case_folder = plannedCase(folder.path(), true);
   MainWindow window(fakeServices());
   window.show();
   window.openCase(QString::fromStdString(case_folder.string()));
-  window.play(QString::fromStdString(writeRecording(folder.path(), 600).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 600).string()), true);
   window.setWorkspace(Workspace::treat);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
   QApplication::setActiveWindow(&window);
@@ -142,8 +148,27 @@ TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
   EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().pulses() == 2; }, 2000));
   cameras->setFocus();  // a focused button must not swallow the stop key
   QTest::keyClick(cameras, Qt::Key_Space);
-  ASSERT_TRUE(fixtures::waitFor([&] { return !window.treat().isRunning(); }, 2000));
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isPaused(); }, 2000));
+  EXPECT_TRUE(window.treat().isRunning()) << "stopping guidance does not end the session";
   EXPECT_FALSE(cameras->isChecked());
+  QTest::keyClick(&window, Qt::Key_Space);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isGuiding(); }, 2000));
+  QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isEnding(); }, 2000));
+  QTest::keyClick(&window, Qt::Key_Space);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isGuiding(); }, 2000)) << "back to the session";
+  QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+  window.findChild<QComboBox*>("end_pain")->setCurrentIndex(3);
+  window.findChild<QLineEdit*>("end_adverse")->setText("headache");
+  QTest::keyClick(window.findChild<QLineEdit*>("end_adverse"), Qt::Key_Return);
+  ASSERT_FALSE(window.treat().isRunning());
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.workspace() == Workspace::review; }, 10000));
+  auto* report = window.findChild<QTextBrowser*>("report_text");
+  EXPECT_TRUE(fixtures::waitFor(
+      [&] { return report->isVisible() && report->toPlainText().contains("headache"); }, 10000))
+      << "the report opens: " << report->toPlainText().toStdString();
+  EXPECT_TRUE(report->toPlainText().contains("ended normally"));
+  window.setWorkspace(Workspace::treat);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().canAlign() && !window.tasks().isRunning(); }));
   bool has_aligned = false;
   QObject::connect(&window.tasks(), &TaskRunner::started, [&] { has_aligned = true; });
@@ -151,6 +176,97 @@ TEST(Treat, EveryKeyThatATooltipNamesWorksAndSpaceStopsGuidance) {
   EXPECT_TRUE(fixtures::waitFor([&] { return has_aligned && !window.tasks().isRunning(); }, 5000));
   QTest::keyClick(&window, Qt::Key_Space);
   EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 5000));
+}
+
+TEST(Treat, APauseIsABannerOverTheWholeWidthAndNothingSaysOnTarget) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const auto case_folder = plannedCase(folder.path(), true);
+  MainWindow window(fakeServices());
+  window.resize(1366, 768);
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 3000).string()), true);
+  window.setWorkspace(Workspace::treat);
+  auto* figures = window.findChild<FiguresPanel*>();
+  ASSERT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("ON TARGET"); }));
+  auto& treat = window.findChild<TreatWorkspace*>()->presenter();
+  treat.pause("coil too warm");
+  auto* banner = window.findChild<QFrame*>("pause_banner");
+  ASSERT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("PAUSED"); }, 2000));
+  EXPECT_TRUE(banner->isVisible());
+  EXPECT_GT(banner->width(), 0.9 * window.findChild<TreatWorkspace*>()->width());
+  const QString words = banner->findChild<QLabel*>("pause_words")->text();
+  EXPECT_TRUE(words.contains("PAUSED: coil too warm")) << words.toStdString();
+  const QString time = treat.sessionTime();
+  QApplication::setActiveWindow(&window);
+  QTest::keyClick(&window, Qt::Key_P);
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat.pulses() == 1; }, 2000)) << "a pulse in a pause is kept";
+  for (int i = 0; i < 20; ++i) {
+    QTest::qWait(60);
+    EXPECT_FALSE(figures->instruction().contains("ON TARGET"));
+  }
+  if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+    window.grab().save(QString("%1/paused_1366.png").arg(pictures));
+  EXPECT_EQ(treat.sessionTime(), time) << "the clock holds";
+  EXPECT_EQ(treat.pulseCounts().on_target, 0);
+  for (auto* label : window.findChildren<QLabel*>())
+    EXPECT_FALSE(label->isVisible() && label->text().contains("on target", Qt::CaseInsensitive) &&
+                 !label->text().contains("0 on target"))
+        << label->text().toStdString();
+  treat.resume();
+  EXPECT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("ON TARGET"); }, 2000));
+  EXPECT_FALSE(banner->isVisible());
+}
+
+TEST(Treat, ClosingTheWindowWhileASessionRunsAsks) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const auto case_folder = plannedCase(folder.path(), true);
+  MainWindow window(fakeServices());
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 3000).string()), true);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isGuiding(); }));
+  EXPECT_FALSE(window.close());
+  EXPECT_TRUE(window.treat().isGuiding()) << "guidance goes on while the question stands";
+  const auto question = [&]() -> QMessageBox* {
+    for (auto* each : window.findChildren<QMessageBox*>("close_question"))
+      if (each->isVisible()) return each;
+    return nullptr;
+  };
+  const auto press = [&](const char* words) {
+    ASSERT_NE(question(), nullptr);
+    for (auto* button : question()->buttons())
+      if (button->text().contains(words)) return button->click();
+    FAIL() << words;
+  };
+  press("Keep");
+  EXPECT_TRUE(fixtures::waitFor([&] { return !question(); }, 2000));
+  EXPECT_TRUE(window.isVisible() && window.treat().isGuiding());
+  window.close();
+  press("End the session");
+  EXPECT_TRUE(window.treat().isEnding());
+  EXPECT_TRUE(fixtures::waitFor([&] { return !question(); }, 2000));
+  window.close();
+  press("Close at once");
+  EXPECT_FALSE(window.isVisible());
+  EXPECT_FALSE(window.treat().isRunning());
+}
+
+TEST(Treat, ARecordingIsAlignedAndGuidesOnlyWhenAsked) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const auto case_folder = plannedCase(folder.path(), true);
+  MainWindow window(fakeServices());
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 300).string()));
+  window.setWorkspace(Workspace::treat);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isAligned() && window.isSettled(); }));
+  QTest::qWait(300);
+  EXPECT_FALSE(window.treat().hasSession());
+  EXPECT_TRUE(casefile::sessionFolders(case_folder).empty());
 }
 
 }  // namespace

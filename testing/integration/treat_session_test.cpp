@@ -236,12 +236,13 @@ void TreatSession::requireEvidence(const fs::path& session, std::int64_t killed_
   EXPECT_GE(solved, 20) << "of " << there << " pulses with pictures";
 }
 
-/// Number of trains in the log; a kill cuts a train in two.
+/// Number of trains in the log; a kill cuts a train in two. A pulse alone is no train.
 int trainsGiven(const fs::path& session) {
-  int trains = 0;
+  int trains = 0, in_train = 0;
   double last_s = -1e9;
   for (const auto& reviewed : casefile::readSessionPulses(session).pulses) {
-    trains += reviewed.pulse.steady_s - last_s > 0.5 * (kStep_s + kPause_s);
+    in_train = reviewed.pulse.steady_s - last_s > 0.5 * (kStep_s + kPause_s) ? 1 : in_train + 1;
+    trains += in_train == 2;
     last_s = reviewed.pulse.steady_s;
   }
   return trains;

@@ -8,6 +8,11 @@
 #include "treat/session_end.h"
 
 namespace facenav::ui {
+namespace {
+
+constexpr double kQuestion_s = 12.0;  // the question to finish stands this long
+
+}  // namespace
 
 HomePresenter::HomePresenter(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks), cameras_(services, tasks) {
@@ -75,7 +80,7 @@ QString HomePresenter::actionWords() const {
       if (!cameras_.isLive()) return tr("OPEN THE CAMERAS");
       return refusal_.isEmpty() ? tr("TAKE THE PICTURE") : tr("TRY AGAIN");
     case Stage::guiding:
-      return tr("FINISH");
+      return asksToFinish() ? tr("YES, FINISH") : tr("FINISH");
     case Stage::ended:
       return saved_as_.isEmpty() ? tr("SAVE THE FILE TO SEND") : tr("CLOSE");
     default:
@@ -101,17 +106,33 @@ QString HomePresenter::words() const {
     case Stage::ending:
       return tr("The session is being closed.");
     case Stage::ended:
-      return saved_as_.isEmpty() ? tr("Finished: save the file, and send it to the clinic.")
-                                 : tr("Saved: send this file to the clinic.");
+      if (!saved_as_.isEmpty()) return tr("Saved: send this file to the clinic.");
+      return counts_.on_target > 0
+                 ? tr("Finished: save the file, and send it to the clinic.")
+                 : tr("Finished without a pulse on target: save the file, and call the clinic.");
     case Stage::guiding:
-      break;
+      return asksToFinish() ? tr("Finish now? Press the button again. To go on, wait or press Esc.")
+                            : QString();
   }
   return {};
 }
 
+bool HomePresenter::asksToFinish() const {
+  return stage_ == Stage::guiding && asked_to_finish_ && Timestamp::now() - *asked_to_finish_ < kQuestion_s;
+}
+
+void HomePresenter::goOn() {
+  asked_to_finish_.reset();
+  emit changed();
+}
+
 void HomePresenter::act() {
   if (tasks_.isRunning()) return;
-  if (stage_ == Stage::guiding) return finish();
+  if (stage_ == Stage::guiding) {
+    if (asksToFinish()) return finish();
+    asked_to_finish_ = Timestamp::now();
+    return void(emit changed());
+  }
   if (stage_ == Stage::ended) return saved_as_.isEmpty() ? emit saveWanted() : void();
   if (stage_ != Stage::sit || !home_) return;
   if (recording_) return align();
@@ -177,6 +198,13 @@ std::shared_ptr<const session::NavigationState> HomePresenter::state() const {
   return std::make_shared<session::NavigationState>(session::blanked({}, LostReason::stale));
 }
 
+std::shared_ptr<const cameras::StereoFrame> HomePresenter::stillPicture() const {
+  const bool is_waiting = stage_ == Stage::sit || stage_ == Stage::starting;
+  const auto& capture = recording_ ? recording_->capture : cameras_.capture();
+  if (!is_waiting || !capture) return nullptr;
+  return std::make_shared<const cameras::StereoFrame>(capture->plain);
+}
+
 steps::HomeAdvice HomePresenter::advice() {
   if (!treatment_) return {};
   const auto now = state();
@@ -185,8 +213,8 @@ steps::HomeAdvice HomePresenter::advice() {
   return steps::homeAdvice(*now, other_coil_->sees(*now));
 }
 
-void HomePresenter::countPulse() {
-  if (treatment_ && stage_ == Stage::guiding) treatment_->pressPulse();
+void HomePresenter::countPulse(Timestamp at) {
+  if (treatment_ && stage_ == Stage::guiding) treatment_->pressPulse(at);
 }
 
 session::PulseCounts HomePresenter::pulseCounts() const {
@@ -203,6 +231,7 @@ QString HomePresenter::reminder() const {
 
 /// Ends the session on another thread; the window no longer shows it.
 void HomePresenter::finish() {
+  asked_to_finish_.reset();
   counts_ = treatment_->log().counts();
   tasks_.start(tr("Closing"),
                [this, treatment = std::exchange(treatment_, nullptr)](TaskMonitor&) -> TaskRunner::Delivery {
@@ -228,6 +257,21 @@ bool HomePresenter::save(const QString& file) {
     set(Stage::ended, QString::fromUtf8(error.what()));
     return false;
   }
+}
+
+QStringList HomePresenter::saveIn(const QStringList& folders) {
+  QStringList saved;
+  QString refusal;
+  for (const QString& folder : folders) {
+    if (save(folder + "/" + sendBackName()))
+      saved << folder;
+    else
+      refusal = refusal_;
+  }
+  if (saved.isEmpty()) return set(Stage::ended, refusal), saved;
+  saved_as_ = saved.front() + "/" + sendBackName();
+  set(Stage::ended);
+  return saved;
 }
 
 }  // namespace facenav::ui

@@ -4,6 +4,7 @@
 // are those of home/home_case.h, home_advice.h and treatment.h.
 
 #include <QObject>
+#include <QStringList>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,10 @@ class HomePresenter : public QObject {
   Stage stage() const { return stage_; }
   /// Why the last step was refused, in one sentence; empty if it was not.
   QString refusal() const { return refusal_; }
+  /// True while the person is asked whether to finish: the next act() does, and some seconds later, or at
+  /// goOn(), the session simply goes on.
+  bool asksToFinish() const;
+  void goOn();
   /// Text of the big button: "START", "TAKE THE PICTURE", "FINISH", ..; empty if it does nothing.
   QString actionWords() const;
   /// What to do while no session runs, in one sentence.
@@ -47,8 +52,11 @@ class HomePresenter : public QObject {
   /// Returns the next step of a running session.
   steps::HomeAdvice advice();
   std::shared_ptr<const session::NavigationState> state() const;
+  /// Picture to show while no camera gives one: the recording's, or the one that the face is measured in.
+  /// Null if there is none.
+  std::shared_ptr<const cameras::StereoFrame> stillPicture() const;
 
-  void countPulse();
+  void countPulse(Timestamp at = Timestamp::now());
   session::PulseCounts pulseCounts() const;
   std::optional<int> plannedPulses() const;
   /// Reminder about the coil, such as an old calibration; empty if there is none.
@@ -56,9 +64,12 @@ class HomePresenter : public QObject {
 
   /// Name of the file to send back: "facenav_20261123T140509Z.zip".
   QString sendBackName() const;
-  /// Writes the file to send back. Returns false, after refused(), if that fails.
+  /// Writes the file to send back. Returns false, with refusal(), if that fails.
   bool save(const QString& file);
-  /// Path of the saved file; empty before.
+  /// Writes the file to send back into each of the folders. Returns those that have it; empty, with
+  /// refusal(), if none could be written.
+  QStringList saveIn(const QStringList& folders);
+  /// Path of the saved file, the first one; empty before.
   QString savedAs() const { return saved_as_; }
 
  signals:
@@ -84,6 +95,7 @@ class HomePresenter : public QObject {
   std::shared_ptr<steps::Treatment> treatment_;
   std::optional<steps::OtherCoilWatch> other_coil_;
   std::filesystem::path session_;
+  std::optional<Timestamp> asked_to_finish_;
   std::optional<int> planned_;
   session::PulseCounts counts_;  // pulses of the ended session
   AsynchronousShutdown retirement_;

@@ -1,13 +1,16 @@
 #include "home/home_window.h"
 
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStandardPaths>
+#include <QStorageInfo>
 #include <QVBoxLayout>
 
 #include "home/fitted_words.h"
@@ -21,6 +24,25 @@ namespace {
 using Stage = HomePresenter::Stage;
 
 constexpr int kRefresh_ms = 50;
+/// True for a stick or card that the desktop has mounted and that can be written to.
+bool isStick(const QStorageInfo& volume) {
+  const QString root = volume.rootPath();
+  return volume.isValid() && volume.isReady() && !volume.isReadOnly() &&
+         (root.startsWith("/media/") || root.startsWith("/run/media/"));
+}
+
+/// The desktop (else the documents), then every USB stick.
+QStringList placesToSave() {
+  QStringList places;
+  for (const auto location : {QStandardPaths::DesktopLocation, QStandardPaths::DocumentsLocation}) {
+    const QString folder = QStandardPaths::writableLocation(location);
+    if (places.isEmpty() && QFileInfo(folder).isWritable()) places << folder;
+  }
+  for (const auto& volume : QStorageInfo::mountedVolumes())
+    if (isStick(volume)) places << volume.rootPath();
+  return places;
+}
+
 const QColor kPlain(237, 241, 245), kQuietWords(130, 142, 155), kNow(255, 196, 60), kDone(82, 200, 120),
     kRefused(255, 140, 130);
 
@@ -66,9 +88,10 @@ HomeWindow::HomeWindow(const Services& services, QWidget* parent)
     connect(new QShortcut(key, this), &QShortcut::activated, this, &HomeWindow::press);
   auto* pulse = new QShortcut(Qt::Key_P, this);
   pulse->setAutoRepeat(false);
-  connect(pulse, &QShortcut::activated, &presenter_, &HomePresenter::countPulse);
+  connect(pulse, &QShortcut::activated, this, [this] { presenter_.countPulse(times_.pressed()); });
   connect(&presenter_, &HomePresenter::changed, this, &HomeWindow::refresh);
-  connect(&presenter_, &HomePresenter::saveWanted, this, &HomeWindow::chooseFile);
+  connect(&presenter_, &HomePresenter::saveWanted, this, &HomeWindow::saveFile);
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, &presenter_, &HomePresenter::goOn);
   connect(&tasks_, &TaskRunner::succeeded, this, &HomeWindow::refresh);
   connect(&timer_, &QTimer::timeout, this, &HomeWindow::refresh);
   timer_.start(kRefresh_ms);
@@ -82,18 +105,22 @@ void HomeWindow::press() {
   presenter_.act();
 }
 
-void HomeWindow::chooseFile() {
-  const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the file to send"), desktop + "/" + presenter_.sendBackName(), tr("ZIP (*.zip)"));
-  presenter_.save(file);
+/// Saves on the desktop and on each USB stick, without a dialog. Asks for a place only if neither works.
+void HomeWindow::saveFile() {
+  places_ = presenter_.saveIn(placesToSave());
+  if (!places_.isEmpty()) return refresh();
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the file to send"),
+                                   QDir::homePath() + "/" + presenter_.sendBackName(), tr("ZIP (*.zip)"));
+  if (presenter_.save(file)) places_ = QStringList{QFileInfo(file).absolutePath()};
+  refresh();
 }
 
 /// `active`: index of the current step, 0 to 2; 3 if all are done.
 void HomeWindow::showSteps(int active, bool is_done) {
   const QString names[3] = {tr("1  Sit and look"), tr("2  Hold the coil"), tr("3  Follow the arrow")};
   for (int i = 0; i < 3; ++i) {
-    const bool has_passed = i < active || is_done;
+    const bool has_passed = (i < active && active < 3) || is_done;
     steps_[i]->set(has_passed    ? names[i] + QString("  \u2713")
                    : i == active ? QString("\u25b6 ") + names[i]
                                  : names[i],
@@ -107,6 +134,7 @@ void HomeWindow::showSteps(int active, bool is_done) {
 void HomeWindow::showPicture() {
   auto frame = presenter_.state()->images;
   if (!frame) frame = presenter_.cameras().picture();
+  if (!frame) frame = presenter_.stillPicture();
   if (!frame) {
     if (shown_ != -1) picture_->set({});
     shown_ = -1;
@@ -118,18 +146,34 @@ void HomeWindow::showPicture() {
                     .mirrored(true, false));
 }
 
+/// "facenav_20261123T140509Z.zip: on the desktop, on the USB stick KINGSTON".
+QString HomeWindow::savedWords() const {
+  QStringList where;
+  const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
+  for (const QString& place : places_)
+    where << (place == desktop               ? tr("on the desktop")
+              : isStick(QStorageInfo(place)) ? tr("on the USB stick %1").arg(QFileInfo(place).fileName())
+                                             : tr("in %1").arg(place));
+  if (where.isEmpty()) return presenter_.savedAs();
+  return QFileInfo(presenter_.savedAs()).fileName() + ": " + where.join(", ");
+}
+
 void HomeWindow::refresh() {
   const Stage stage = presenter_.stage();
   const bool is_ended = stage == Stage::ended || stage == Stage::ending;
   if (stage == Stage::guiding) {
     const auto advice = presenter_.advice();
+    const bool is_asked = presenter_.asksToFinish();
     showSteps(int(advice.step), false);
-    sign_->set(advice.sign, advice.arrow_rad, advice.is_refused);
-    words_->set(QString::fromStdString(advice.words), advice.is_refused ? kRefused : kPlain);
+    sign_->set(is_asked ? steps::HomeSign::none : advice.sign, advice.arrow_rad, advice.is_refused);
+    words_->set(is_asked ? presenter_.words() : QString::fromStdString(advice.words),
+                advice.is_refused && !is_asked ? kRefused : kPlain);
   } else {
     const bool is_refused = !presenter_.refusal().isEmpty();
-    showSteps(is_ended ? 3 : 0, is_ended);
-    sign_->set(is_ended && !is_refused ? steps::HomeSign::hold : steps::HomeSign::none, 0, is_refused);
+    // A tick is for pulses on target, not for having pressed the button.
+    const bool is_done = is_ended && presenter_.pulseCounts().on_target > 0;
+    showSteps(is_ended ? 3 : 0, is_done);
+    sign_->set(is_done && !is_refused ? steps::HomeSign::hold : steps::HomeSign::none, 0, is_refused);
     words_->set(presenter_.words(), is_refused ? kRefused : kPlain);
   }
   showPicture();
@@ -142,7 +186,7 @@ void HomeWindow::refresh() {
                    : tr("%1 pulses on target").arg(counts.on_target);
     if (counts.outside + counts.lost > 0) said += tr(", %1 not on target").arg(counts.outside + counts.lost);
   }
-  if (stage == Stage::ended && !presenter_.savedAs().isEmpty()) said += "\n" + presenter_.savedAs();
+  if (stage == Stage::ended && !presenter_.savedAs().isEmpty()) said += "\n" + savedWords();
   counts_->set(said, kQuietWords);
   const QString action = presenter_.actionWords();
   button_->setVisible(!action.isEmpty());

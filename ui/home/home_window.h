@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "home/home_presenter.h"
+#include "shell/input_times.h"
 
 class QLabel;
 class QPushButton;
@@ -34,11 +35,13 @@ class HomeWindow : public QWidget {
   void showSteps(int active, bool is_done);
   void showPicture();
   void press();
-  void chooseFile();
+  void saveFile();
+  QString savedWords() const;
 
   Services services_;
   TaskRunner tasks_;
   HomePresenter presenter_;
+  InputTimes times_;
   FittedWords* steps_[3];
   FittedWords *words_, *counts_;
   SignView* sign_;
@@ -47,6 +50,7 @@ class HomeWindow : public QWidget {
   FittedWords* button_words_;
   QTimer timer_;
   std::int64_t shown_ = -1;
+  QStringList places_;  // folders with the saved file
 };
 
 }  // namespace facenav::ui

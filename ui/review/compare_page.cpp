@@ -7,6 +7,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "facenav/report/local_time.h"
 #include "shell/appearance.h"
 #include "shell/narrow_label.h"
 
@@ -91,7 +92,7 @@ void ComparePage::showSessions() {
   const auto& sessions = presenter_.sessions();
   for (auto s = sessions.rbegin(); s != sessions.rend(); ++s)
     if (QString::fromStdString(s->name) != presenter_.chosen())
-      earlier_->addItem(QString::fromStdString(s->name));
+      earlier_->addItem(QString::fromStdString(report::localTime(s->name)), QString::fromStdString(s->name));
   earlier_->setCurrentText(before);
   showComparison();
 }
@@ -101,7 +102,7 @@ void ComparePage::showComparison() {
   if (earlier_->count() == 0 || !presenter_.session())
     return words_->setText(earlier_->count() == 0 ? tr("The case has no other session.")
                                                   : tr("reading the session"));
-  const auto comparison = presenter_.compareWith(earlier_->currentText());
+  const auto comparison = presenter_.compareWith(earlier_->currentData().toString());
   if (!comparison) return words_->clear();
   for (const auto& back : comparison->targets) {
     bool is_first = true;

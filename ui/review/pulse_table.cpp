@@ -3,6 +3,8 @@
 #include <QColor>
 #include <limits>
 
+#include "facenav/report/local_time.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -91,7 +93,7 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
       if (index.column() == columnOf(report::PulseColumn::mep) &&
           session_->kept.pulses.edited_meps.count(reviewed.pulse.number))
         return tr("entered after the pulse; double click to type another");
-      return QString::fromStdString(reviewed.pulse.utc + " " + reviewed.pulse.reason);
+      return QString::fromStdString(report::localTime(reviewed.pulse.utc) + " " + reviewed.pulse.reason);
     default:
       return {};
   }

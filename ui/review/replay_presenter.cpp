@@ -185,6 +185,17 @@ QString ReplayPresenter::lossWords() const {
   return isOpen() ? QString::fromStdString(steps::lossAt(track(), moment())) : QString();
 }
 
+/// The bound of the alignment's error as the session's pulses hold it; empty in older sessions.
+QString ReplayPresenter::errorWords() const {
+  const auto session = review_.session();
+  if (!session) return {};
+  for (const auto& reviewed : session->kept.pulses.pulses)
+    if (reviewed.pulse.error_bound_mm && reviewed.pulse.target &&
+        reviewed.pulse.target->name == track().word(moment().target))
+      return "\n" + tr("alignment: 95 % within %1 mm").arg(*reviewed.pulse.error_bound_mm, 0, 'f', 1);
+  return {};
+}
+
 QString ReplayPresenter::figures() const {
   if (!isOpen() || moment().state == 0) return {};
   const QString head = QString::fromStdString(track().word(moment().target)) + ": " +
@@ -198,7 +209,7 @@ QString ReplayPresenter::figures() const {
          "\n" +
          tr("tilt %1\u00b0, twist %2\u00b0, beam misses by %3 mm")
              .arg(number(g.tilt_deg, 1), number(g.twist_deg, 1), number(g.beam_miss_mm, 1)) +
-         "\n" + tr("predicted error %1 mm").arg(number(g.predicted_error_mm, 1));
+         errorWords();
 }
 
 /// Poses of the moment from the session's files. Omits poses not placed in the MRI and poses of another coil.

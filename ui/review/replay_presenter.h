@@ -72,6 +72,7 @@ class ReplayPresenter : public QObject {
   void refused(const QString& words);
 
  private:
+  QString errorWords() const;
   void close();
   void forget();
   void read(const QString& folder);

@@ -13,6 +13,7 @@
 #include "review/compare_page.h"
 #include "review/pulses_page.h"
 #include "review/replay_page.h"
+#include "review/report_page.h"
 #include "review/sessions_panel.h"
 #include "shell/typed_number.h"
 
@@ -31,6 +32,9 @@ ReviewWorkspace::ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& re
   pages_->addWidget(new PulsesPage(presenter_, model_, pages_));
   pages_->addWidget(new ReplayPage(replay, model_, pages_));
   pages_->addWidget(new ComparePage(presenter_, pages_));
+  report_page_ = new ReportPage(presenter_, model_, pages_);
+  pages_->addWidget(report_page_);
+  connect(with_name_, &QCheckBox::toggled, report_page_, &ReportPage::setWithName);
   column->addWidget(pages_, 1);
   split->addWidget(right);
   split->setStretchFactor(0, 2);
@@ -52,10 +56,11 @@ QWidget* ReviewWorkspace::makeHead() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   tabs_ = new QButtonGroup(this);
-  const QString names[3] = {tr("Pulses"), tr("Replay"), tr("Compare")};
-  const QString tips[3] = {tr("pulses on cortex and scalp, charts (Alt+1)"),
-                           tr("the session frame by frame (Alt+2)"), tr("against another session (Alt+3)")};
-  for (int i = 0; i < 3; ++i) {
+  const QString names[4] = {tr("Pulses"), tr("Replay"), tr("Compare"), tr("Report")};
+  const QString tips[4] = {tr("pulses on cortex and scalp, charts (Alt+1)"),
+                           tr("the session frame by frame (Alt+2)"), tr("against another session (Alt+3)"),
+                           tr("the report, to read (Alt+4)")};
+  for (int i = 0; i < 4; ++i) {
     auto* button = new QPushButton(names[i], bar);
     button->setObjectName("tool");
     button->setCheckable(true);
@@ -74,7 +79,7 @@ QWidget* ReviewWorkspace::makeHead() {
   from_home_->setToolTip(tr("add the file that a session at home sent back"));
   with_name_ = new QCheckBox(tr("with label"), bar);
   with_name_->setToolTip(tr("adds the case's label, which may be the patient's name, to the report"));
-  report_ = new QPushButton(tr("Report"), bar);
+  report_ = new QPushButton(tr("Write PDF"), bar);
   report_->setObjectName("primary");
   report_->setToolTip(tr("writes report.pdf, report.html and pulses.csv into the session's folder"));
   for (QWidget* widget : {static_cast<QWidget*>(from_home_), static_cast<QWidget*>(meps_),
@@ -87,7 +92,10 @@ QWidget* ReviewWorkspace::makeHead() {
         QFileDialog::getOpenFileName(this, tr("The file that came back from home"), {}, tr("ZIP (*.zip)"));
     if (!file.isEmpty()) presenter_.addReturned(file);
   });
-  connect(report_, &QPushButton::clicked, this, [this] { presenter_.makeReport(with_name_->isChecked()); });
+  connect(report_, &QPushButton::clicked, this, [this] {
+    setPage(ReviewPage::report);
+    presenter_.makeReport(with_name_->isChecked());
+  });
   return bar;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Review: the sessions of the case, the pulses of one of them, and three pages beside them: pulses in 3-D
-// with charts, replay, comparison of two sessions.
+// with charts, replay, comparison of two sessions, the report.
 
 #include <QWidget>
 
@@ -14,7 +14,9 @@ class QStackedWidget;
 
 namespace facenav::ui {
 
-enum class ReviewPage { pulses, replay, compare };
+class ReportPage;
+
+enum class ReviewPage { pulses, replay, compare, report };
 
 class ReviewWorkspace : public QWidget {
   Q_OBJECT
@@ -35,6 +37,7 @@ class ReviewWorkspace : public QWidget {
   ReviewPresenter& presenter_;
   CaseModel& model_;
   QStackedWidget* pages_;
+  ReportPage* report_page_;
   QButtonGroup* tabs_;
   QPushButton *from_home_, *meps_, *report_;
   QCheckBox* with_name_;

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "facenav/report/local_time.h"
 #include "shell/appearance.h"
 #include "shell/narrow_label.h"
 
@@ -70,8 +71,8 @@ SessionsPanel::SessionsPanel(ReviewPresenter& presenter, QWidget* parent)
 
 void SessionsPanel::makeSessions() {
   arrange(*sessions_);
-  const QStringList names{tr("session (UTC)"), tr("pulses"), tr("on"),       tr("error"),
-                          tr("lost"),          tr("off"),    tr("\u00b1 mm")};  // short: seven fit at 1280
+  const QStringList names{tr("session"), tr("pulses"), tr("on"),  tr("error"),
+                          tr("lost"),    tr("off"),    tr("95 %")};  // short: seven fit at 1280
   sessions_->setColumnCount(names.size());
   sessions_->setHorizontalHeaderLabels(names);
   const QString tips[] = {tr("start of the session"),
@@ -80,7 +81,7 @@ void SessionsPanel::makeSessions() {
                           tr("distance of coil and target at the pulses, median / 95th percentile, mm"),
                           tr("time with face or coil lost, min:s"),
                           tr("time outside the tolerance, with losses, min:s"),
-                          tr("predicted error at the target, as stated with the pulses (median)")};
+                          tr("error of the alignment at the target: 95 % of such alignments are within, mm")};
   for (int i = 0; i < names.size(); ++i) sessions_->horizontalHeaderItem(i)->setToolTip(tips[i]);
   sessions_->horizontalHeader()->setMinimumSectionSize(sized(30));
   sessions_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -166,17 +167,17 @@ void SessionsPanel::showSessions() {
     const int counted = s.pulses - s.excluded;
     const QStringList texts{
         (s.is_at_home ? tr("%1 home") : QString("%1"))
-            .arg(QString::fromStdString(s.started_utc).replace('T', ' ').left(kToTheMinute)),
+            .arg(QString::fromStdString(report::localTime(s.started_utc)).left(kToTheMinute)),
         s.excluded ? tr("%1 (%2)").arg(s.pulses).arg(s.excluded) : QString::number(s.pulses),
         counted > 0 ? tr("%1 %").arg(100.0 * s.on_target / counted, 0, 'f', 0) : QString::fromUtf8("\u2013"),
         spread(s.distance_mm),
         minutes(s.lost_s),
         minutes(s.off_target_s),
-        s.predicted_error_mm ? QString::number(*s.predicted_error_mm, 'f', 1) : QString::fromUtf8("\u2013")};
+        s.error_bound_mm ? QString::number(*s.error_bound_mm, 'f', 1) : QString::fromUtf8("\u2013")};
     for (int i = 0; i < texts.size(); ++i) {
       auto* item = new QTableWidgetItem(texts[i]);
       if (i == 0) item->setData(Qt::UserRole, QString::fromStdString(s.name));
-      if (i == 0) item->setToolTip(QString::fromStdString(s.started_utc));
+      if (i == 0) item->setToolTip(QString::fromStdString(report::localTimeAndZone(s.started_utc)));
       if (!s.problems.empty()) item->setToolTip(QString::fromStdString(s.problems.front()));
       sessions_->setItem(row, i, item);
     }
@@ -214,9 +215,11 @@ void SessionsPanel::showState() {
     words_->setText(tr("reading the session"));
   } else {
     const auto summary = report::summarise(session->kept);
-    QStringList words{summary.has_ended ? tr("ended normally") : tr("not ended: it runs, or it was cut off")};
+    QStringList words{QString::fromStdString(summary.end)};
     if (summary.is_at_home) words << tr("at home");
     if (summary.alignment) words << QString::fromStdString(*summary.alignment);
+    for (const auto& caution : summary.alignment_cautions)
+      words << tr("caution: %1").arg(QString::fromStdString(caution));
     words << tr("losses: face %1, coil %2").arg(summary.face_losses).arg(summary.coil_losses);
     if (summary.adverse_events) words << tr("adverse events: %1").arg(summary.adverse_events);
     if (!summary.problems.empty()) words << QString::fromStdString(summary.problems.front());

@@ -7,7 +7,9 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
@@ -60,7 +62,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   stack_->addWidget(prepare_workspace_);
   stack_->addWidget(new PlanWorkspace(plan_, place_, cortex_, model_, stack_));
   stack_->addWidget(treat_workspace);
-  stack_->addWidget(new ReviewWorkspace(review_, replay_, model_, stack_));
+  review_workspace_ = new ReviewWorkspace(review_, replay_, model_, stack_);
+  stack_->addWidget(review_workspace_);
   task_bar_ = new TaskBar(tasks_, this);
   header_ = new WindowHeader(this);
   auto* centre = new QWidget(this);
@@ -125,6 +128,7 @@ void MainWindow::connectPrepare() {
 
 /// Connects the steps. Must follow connectWords(): signals that show come before those that restore.
 void MainWindow::connectSteps(TreatWorkspace& treat_workspace) {
+  connect(&treat_, &TreatPresenter::sessionEnded, this, &MainWindow::showEnded);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
   connect(prepare_workspace_, &PrepareWorkspace::stepChanged, this, &MainWindow::remember);
@@ -207,20 +211,22 @@ void MainWindow::openCaseAt(const QString& folder, PrepareStep step) {
   prepare_.openCase(folder);
 }
 
-void MainWindow::play(const QString& recording) {
+void MainWindow::play(const QString& recording, bool then_guides) {
   to_play_ = recording;
+  then_guides_ = then_guides;
   goOnPlaying();
 }
 
-/// Goes from case opened to recording opened to aligned and started. Called when each of these steps ends.
+/// Goes from case opened to recording opened to aligned, and started if asked. Called when each of these
+/// steps ends.
 void MainWindow::goOnPlaying() {
   if (to_play_.isEmpty() || tasks_.isRunning()) return;
   if (!treat_.hasRecording()) {
     treat_.openRecording(to_play_);
   } else if (model_.isOpen()) {
     to_play_.clear();
-    is_starting_ = model_.mayBeTreated();
-    treat_.align(true);
+    is_starting_ = then_guides_ && model_.mayBeTreated();
+    treat_.align(then_guides_);
   }
 }
 
@@ -312,8 +318,46 @@ void MainWindow::take(const QString& path) {
   queue_.add(inputOf(path));
 }
 
+/// Asks without holding up the window: guidance goes on meanwhile.
+void MainWindow::askBeforeClosing() {
+  if (const auto* asked = findChild<QMessageBox*>("close_question"); asked && asked->isVisible()) return;
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("FaceNav"), tr("A session is running. Close the window?"),
+                      QMessageBox::NoButton, this);
+  question->setObjectName("close_question");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setInformativeText(tr("A session that is closed at once can be continued later."));
+  auto* stay = question->addButton(tr("Keep the session"), QMessageBox::RejectRole);
+  auto* end = question->addButton(tr("End the session\u2026"), QMessageBox::ActionRole);
+  auto* close_now = question->addButton(tr("Close at once"), QMessageBox::DestructiveRole);
+  question->setDefaultButton(qobject_cast<QPushButton*>(stay));
+  question->setEscapeButton(stay);
+  connect(end, &QAbstractButton::clicked, this, [this] {
+    setWorkspace(Workspace::treat);
+    treat_.askEnd();
+  });
+  connect(close_now, &QAbstractButton::clicked, this, [this] {
+    is_closing_ = true;
+    close();
+  });
+  question->open();
+}
+
+/// Shows the report of the session that was just ended.
+void MainWindow::showEnded(const QString& session) {
+  if (!model_.isOpen() || !std::filesystem::exists(review_.folderOf(session))) return;  // another case by now
+  setWorkspace(Workspace::review);
+  review_.choose(session);
+  review_.refresh();
+  review_workspace_->setPage(ReviewPage::report);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  treat_.stop();
+  if (treat_.isRunning() && !is_closing_) {
+    event->ignore();
+    return askBeforeClosing();
+  }
+  treat_.stop("the window was closed");
   remember();
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());

@@ -25,6 +25,7 @@ namespace facenav::ui {
 class WindowHeader;
 class TaskBar;
 class PrepareWorkspace;
+class ReviewWorkspace;
 class TreatWorkspace;
 
 enum class PrepareStep;
@@ -53,8 +54,8 @@ class MainWindow : public QMainWindow {
   void openCase(const QString& folder);
   /// Opens a case on the given page of Prepare.
   void openCaseAt(const QString& folder, PrepareStep step);
-  /// Opens a recording when the case is open, then aligns and starts guidance.
-  void play(const QString& recording);
+  /// Opens a recording when the case is open, then aligns; starts guidance if `then_guides`.
+  void play(const QString& recording, bool then_guides = false);
   /// Opens what was open last time (QSettings), also after a crash. Reports if guidance was running then.
   void restoreLast();
   /// True if no task runs and what play() started has begun or failed.
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow {
   void holdQueue();
   void remember();
   void goOnRestoring();
+  void askBeforeClosing();
+  void showEnded(const QString& session);
 
   Services services_;
   TaskRunner tasks_;
@@ -101,6 +104,7 @@ class MainWindow : public QMainWindow {
   ReviewPresenter review_;
   ReplayPresenter replay_;
   PrepareWorkspace* prepare_workspace_;
+  ReviewWorkspace* review_workspace_;
   QStackedWidget* stack_;
   QButtonGroup* navigation_;
   WindowHeader* header_;
@@ -108,7 +112,8 @@ class MainWindow : public QMainWindow {
   QString to_play_, recording_to_restore_, target_to_restore_;
   std::optional<PrepareStep> step_to_restore_, step_on_open_;
   std::optional<Override> to_override_;
-  bool is_starting_ = false, is_remembering_ = false, was_guiding_ = false;
+  bool is_starting_ = false, then_guides_ = false, is_closing_ = false, is_remembering_ = false,
+       was_guiding_ = false;
 };
 
 }  // namespace facenav::ui

@@ -1,9 +1,12 @@
 #include "shell/report_pdf.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QObject>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 #include <QUrl>
 
@@ -14,13 +17,15 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kSection = 2;  // level of a section's heading
 constexpr int kResolution_dpi = 300, kMargin_mm = 14, kFoot_mm = 8;
 constexpr double kChartSharpness = 3.0;                      // pixels of a chart per unit, for paper
-constexpr int kChartWidth_px = 260, kPictureWidth_px = 460;  // at 96 dpi; the page is 688 wide
+constexpr int kChartWidth_px = 222, kPictureWidth_px = 280;  // at 96 dpi; the page is 688 wide
 
 const char* const kStyle =
-    "body{font-family:sans-serif;font-size:12px;color:#1d2430}"
-    "h1{font-size:21px}h2{font-size:15px;color:#005a8c}"
+    "body{font-family:sans-serif;font-size:11px;color:#1d2430}"
+    "h1{font-size:19px;margin-bottom:2px}h2{font-size:14px;color:#005a8c;margin-top:8px;margin-bottom:2px}"
+    "p{margin-top:2px;margin-bottom:2px}"
     "p.subtitle{color:#444455}th{background-color:#eef3f8;text-align:left}";
 
 QImage drawn(const report::SessionReport::Figure& figure) {
@@ -41,21 +46,25 @@ QString bodyOf(const report::SessionReport& report) {
     const int width_px = report.figures[i].chart ? kChartWidth_px : kPictureWidth_px;
     body.replace(place, QString("<img src=\"figure:%1\" width=\"%2\">").arg(i).arg(width_px));
   }
-  body.replace("<table class=\"facts\">", "<table cellspacing=\"0\" cellpadding=\"2\" width=\"100%\">");
-  body.replace("<table>", "<table cellspacing=\"0\" cellpadding=\"2\" width=\"100%\">");
+  for (const char* table : {"<table class=\"facts\">", "<table class=\"pictures\">", "<table>"})
+    body.replace(table, "<table cellspacing=\"0\" cellpadding=\"1\" width=\"100%\">");
   return body;
 }
 
-void fill(QTextDocument& document, const report::SessionReport& report, const QSizeF& page) {
-  document.setDefaultStyleSheet(kStyle);
-  for (std::size_t i = 0; i < report.figures.size(); ++i)
-    document.addResource(QTextDocument::ImageResource, QUrl(QString("figure:%1").arg(i)),
-                         drawn(report.figures[i]));
-  document.setDocumentMargin(0);
-  document.setHtml("<html><body><h1>" + QString::fromStdString(report.title).toHtmlEscaped() +
-                   "</h1><p class=\"subtitle\">" + QString::fromStdString(report.subtitle).toHtmlEscaped() +
-                   "</p>" + bodyOf(report) + "</body></html>");
-  document.setPageSize(page);
+/// Moves a heading to the next page, where what follows it would stand there without it.
+void keepHeadings(QTextDocument& document) {
+  const auto pageOf = [&](double y_px) { return int(y_px / document.pageSize().height()); };
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    const QTextBlock next = block.next();
+    if (block.blockFormat().headingLevel() != kSection || !next.isValid()) continue;
+    document.pageCount();  // lays out all of it; rectangles are known only then
+    const auto* layout = document.documentLayout();
+    const QRectF own = layout->blockBoundingRect(block), after = layout->blockBoundingRect(next);
+    if (pageOf(own.top()) == pageOf(after.bottom() - 1)) continue;
+    QTextBlockFormat format = block.blockFormat();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    QTextCursor(block).setBlockFormat(format);
+  }
 }
 
 void printPages(QTextDocument& document, const QString& subtitle, QPdfWriter& writer) {
@@ -81,6 +90,16 @@ void printPages(QTextDocument& document, const QString& subtitle, QPdfWriter& wr
 
 }  // namespace
 
+void fillReport(QTextDocument& document, const report::SessionReport& report) {
+  document.setDefaultStyleSheet(kStyle);
+  for (std::size_t i = 0; i < report.figures.size(); ++i)
+    document.addResource(QTextDocument::ImageResource, QUrl(QString("figure:%1").arg(i)),
+                         drawn(report.figures[i]));
+  document.setHtml("<html><body><h1>" + QString::fromStdString(report.title).toHtmlEscaped() +
+                   "</h1><p class=\"subtitle\">" + QString::fromStdString(report.subtitle).toHtmlEscaped() +
+                   "</p>" + bodyOf(report) + "</body></html>");
+}
+
 void writeReportPdf(const report::SessionReport& report, const std::filesystem::path& path) {
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);
@@ -93,7 +112,10 @@ void writeReportPdf(const report::SessionReport& report, const std::filesystem::
     writer.setPageMargins(QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm), QPageLayout::Millimeter);
     QTextDocument document;
     const double per_mm = 96.0 / 25.4;
-    fill(document, report, {(210 - 2 * kMargin_mm) * per_mm, (297 - 2 * kMargin_mm - kFoot_mm) * per_mm});
+    fillReport(document, report);
+    document.setDocumentMargin(0);
+    document.setPageSize({(210 - 2 * kMargin_mm) * per_mm, (297 - 2 * kMargin_mm - kFoot_mm) * per_mm});
+    keepHeadings(document);
     printPages(document, QString::fromStdString(report.subtitle), writer);
   }
   writeWholeFile(path, bytes.data().toStdString(), FileAccess::owner_only);

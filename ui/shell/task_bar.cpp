@@ -41,6 +41,7 @@ TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
     title_ = title;
     elapsed_.start();
     said_.invalidate();
+    bar_->setValue(0);
     showProgress({}, 0.0);
     setBusy(true);
   });
@@ -57,8 +58,9 @@ void TaskBar::setBusy(bool is_busy) {
   cancel_->setVisible(is_busy);
 }
 
+/// Shows a task's progress. A step that is tried in another way starts anew; the bar does not fall.
 void TaskBar::showProgress(const QString& step, double fraction) {
-  bar_->setValue(int(1000 * std::clamp(fraction, 0.0, 1.0)));
+  bar_->setValue(std::max(bar_->value(), int(1000 * std::clamp(fraction, 0.0, 1.0))));
   if (said_.isValid() && said_.elapsed() < kReadable_ms) return;
   words_->setProperty("level", "none");
   words_->set(step.isEmpty() ? title_ + QChar(0x2026)

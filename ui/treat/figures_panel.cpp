@@ -79,19 +79,20 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     // Full cell width from the start: a new figure is never cut before the next layout.
     value->setAlignment(Qt::AlignCenter);
   }
+  below_ = new QBoxLayout(QBoxLayout::TopToBottom);
   place();
   column->addLayout(grid_, 1);
   setMinimumWidth(sized(kLeastWidth_px));  // for the longest figures side by side
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
-  predicted_->setToolTip(tr("predicted error of the alignment at the target (one standard deviation)"));
+  predicted_->setToolTip(
+      tr("error of the alignment at the target: 95 of 100 such alignments keep within it"));
   gap_->setObjectName("gap_words");
   gap_->setAlignment(Qt::AlignCenter);
-  auto* below = new QVBoxLayout;
-  below->setSpacing(0);
-  below->addWidget(gap_);
-  below->addWidget(predicted_);
-  column->addLayout(below);
+  below_->setSpacing(0);
+  below_->addWidget(gap_);
+  below_->addWidget(predicted_);
+  column->addLayout(below_);
 }
 
 void FiguresPanel::place() {
@@ -106,6 +107,7 @@ void FiguresPanel::place() {
     grid_->addWidget(name, i / columns * 2 + 1, i % columns, Qt::AlignCenter);
   }
   grid_->setVerticalSpacing(is_low_ ? 0 : -1);
+  below_->setDirection(is_small_ ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   banner_->setFixedHeight(sized(is_low_ ? kLowBanner_px : kBanner_px));
 }
 

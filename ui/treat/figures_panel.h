@@ -36,6 +36,7 @@ class FiguresPanel : public QFrame {
 
   QLabel* banner_;
   QGridLayout* grid_;
+  QBoxLayout* below_;  // gap and predicted error; side by side where the figures are small
   std::array<QLabel*, 4> values_, names_;
   bool is_small_ = false, is_low_ = false;
   int needed_px_ = 0;

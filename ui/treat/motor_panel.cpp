@@ -56,13 +56,17 @@ QWidget* MotorPanel::makeAnswers() {
   output_->setAccessibleName(tr("output, %"));
   mep_ = new QLineEdit(answers);
   mep_->setMaximumWidth(sized(120));
-  mep_->setToolTip(tr("peak-to-peak MEP of the last pulse, uV; Enter keeps it"));
+  mep_->setToolTip(tr("peak-to-peak MEP of the pulse named below, uV; Enter keeps it"));
   mep_->setPlaceholderText(tr("MEP, uV"));
-  twitch_ = new QPushButton(tr("Twitch"), answers);
-  twitch_->setToolTip(tr("the muscle moved at the last pulse (Y)"));
-  none_ = new QPushButton(tr("None"), answers);
-  none_->setToolTip(tr("the muscle did not move at the last pulse (N)"));
+  question_ = new QLabel(answers);
+  question_->setObjectName("motor_question");
+  question_->setWordWrap(true);
+  twitch_ = new QPushButton(tr("Yes, it moved"), answers);
+  twitch_->setToolTip(tr("the muscle moved at the pulse named above (Y)"));
+  none_ = new QPushButton(tr("No"), answers);
+  none_->setToolTip(tr("the muscle did not move at the pulse named above (N)"));
   column->addWidget(rowOf(answers, {new QLabel(tr("output, %"), answers), output_, mep_}, nullptr));
+  column->addWidget(question_);
   column->addWidget(rowOf(answers, {twitch_, none_}, nullptr));
   connect(output_, &QLineEdit::editingFinished, this, &MotorPanel::takeIntensity);
   connect(mep_, &QLineEdit::returnPressed, this, &MotorPanel::takeTyped);
@@ -89,7 +93,7 @@ QWidget* MotorPanel::makeSearch() {
   search_ = new QPushButton(bar);
   search_->setToolTip(tr("begins a search for the motor threshold, or goes on with an unfinished one"));
   back_ = new QPushButton(tr("Undo"), bar);
-  back_->setToolTip(tr("takes the search's last answer back"));
+  back_->setToolTip(tr("takes the last answer back; its pulse can be answered again"));
   connect(search_, &QPushButton::clicked, this, [this] {
     if (motor_.isSearching()) return motor_.endSearch();
     motor_.search(stimulation::ThresholdMethod(method_->currentData().toInt()), muscle_->text());
@@ -131,15 +135,22 @@ void MotorPanel::takeTyped() {
   motor_.answerWithMep(*mep_uv);
 }
 
+void MotorPanel::showQuestion() {
+  const QString question = motor_.question();
+  if (question != question_->text()) question_->setText(question);
+  const bool can_answer = motor_.canAnswer();
+  if (can_answer == twitch_->isEnabled()) return;
+  for (QWidget* each : std::initializer_list<QWidget*>{twitch_, none_}) each->setEnabled(can_answer);
+}
+
 void MotorPanel::showState() {
   const auto intensity = treat_.intensity();
   if (!output_->hasFocus() || motor_.isSearching())
     output_->setText(intensity ? QString::number(*intensity, 'g', 4) : QString());
-  const bool is_running = treat_.isRunning();
-  for (QWidget* each : std::initializer_list<QWidget*>{twitch_, none_, mep_}) each->setEnabled(is_running);
+  showQuestion();
   threshold_->setText(motor_.thresholdWords());
   search_->setText(motor_.isSearching() ? tr("End search") : tr("Find threshold"));
-  back_->setEnabled(motor_.isSearching() && motor_.state()->pulses > 0);
+  back_->setEnabled(motor_.canTakeBack());
   method_->setEnabled(!motor_.isSearching());
   muscle_->setEnabled(!motor_.isSearching());
   hunt_->setText(motor_.isHunting() ? tr("End hunt") : tr("Hunt here"));

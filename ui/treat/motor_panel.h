@@ -18,6 +18,8 @@ class MotorPanel : public QFrame {
 
  public:
   MotorPanel(MotorPresenter& motor, TreatPresenter& treat, QWidget* parent = nullptr);
+  /// Names the newest pulse in the question; called about 30 times a second.
+  void showQuestion();
 
  private:
   QWidget* makeAnswers();
@@ -32,7 +34,7 @@ class MotorPanel : public QFrame {
   QLineEdit *output_, *mep_, *muscle_;
   QPushButton *twitch_, *none_, *search_, *back_, *hunt_, *previous_, *next_;
   QComboBox* method_;
-  QLabel *threshold_, *site_;
+  QLabel *question_, *threshold_, *site_;
 };
 
 }  // namespace facenav::ui

@@ -9,23 +9,29 @@ MotorPresenter::MotorPresenter(TreatPresenter& treat, CaseModel& model, QObject*
   connect(&model_, &CaseModel::opened, this, [this] {
     search_.reset();
     sites_.clear();
+    answered_ = 0;
     emit changed();
   });
   connect(&treat_, &TreatPresenter::changed, this, [this] {
+    if (!treat_.isRunning()) answered_ = before_search_ = 0;  // the next session counts anew
     const auto* target = treat_.target();  // another target was chosen, which ends the hunt
     if (isHunting() && (!target || target->name != sites_[site_].name)) sites_.clear();
     emit changed();
   });
 }
 
-/// Adds one answer to the search, if one runs.
+/// Adds the pulse's answer to the search, if one runs and the pulse belongs to it.
 template <class Keep>
-void MotorPresenter::take(Keep keep) {
+void MotorPresenter::take(const session::AddedPulse& pulse, Keep keep) {
+  answered_ = pulse.number;
+  was_searched_ = false;
   try {
-    if (search_ && !search_->state().isDone()) {
-      const auto intensity = treat_.intensity();
-      if (!intensity) throw Error("the intensity is not known", {}, "type the output that was set");
-      keep(*intensity);
+    if (search_ && !search_->state().isDone() && pulse.number > before_search_) {
+      if (!pulse.intensity_pct)
+        throw Error("the intensity of pulse " + std::to_string(pulse.number) + " is not known", {},
+                    "type the output that is set, before the next pulse");
+      keep(*pulse.intensity_pct);
+      was_searched_ = true;
       if (search_->state().isDone())
         treat_.note(report::session_events::kThreshold, QString::fromStdString(search_->inWords()));
       showIntensity();
@@ -37,14 +43,26 @@ void MotorPresenter::take(Keep keep) {
 }
 
 void MotorPresenter::answer(bool has_response) {
-  if (!treat_.answerPulse(has_response)) return emit refused(tr("there is no pulse to answer for yet"));
-  take([&](double intensity_pct) { search_->answer(intensity_pct, has_response); });
+  const auto pulse = treat_.openPulse();
+  if (!pulse || !treat_.answerPulse(has_response)) return emit refused(question());
+  take(*pulse, [&](double intensity_pct) { search_->answer(intensity_pct, has_response); });
 }
 
 void MotorPresenter::answerWithMep(double mep_uv) {
-  if (!treat_.answerPulse(mep_uv))
-    return emit refused(tr("not taken: there is no pulse yet, or %1 uV is no MEP").arg(mep_uv));
-  take([&](double intensity_pct) { search_->answerWithMep(intensity_pct, mep_uv); });
+  const auto pulse = treat_.openPulse();
+  if (!pulse) return emit refused(question());
+  if (!treat_.answerPulse(mep_uv)) return emit refused(tr("not taken: %1 uV is no MEP").arg(mep_uv));
+  take(*pulse, [&](double intensity_pct) { search_->answerWithMep(intensity_pct, mep_uv); });
+}
+
+QString MotorPresenter::question() const {
+  if (!treat_.isRunning()) return tr("the muscle's answers: one a pulse, while guidance runs");
+  if (const auto pulse = treat_.openPulse())
+    return tr("Pulse %1%2: did the muscle move?")
+        .arg(pulse->number)
+        .arg(pulse->intensity_pct ? tr(" at %1 %").arg(*pulse->intensity_pct, 0, 'g', 4) : QString());
+  if (treat_.newestPulse() == 0) return tr("No pulse to answer for yet: give one first");
+  return tr("Pulse %1 is answered: give the next one").arg(treat_.newestPulse());
 }
 
 void MotorPresenter::showIntensity() {
@@ -56,6 +74,8 @@ void MotorPresenter::search(stimulation::ThresholdMethod method, const QString& 
   try {
     search_ = std::make_unique<steps::MotorThreshold>(
         steps::ThresholdRequest{model_.current().store.folder(), method, muscle.trimmed().toStdString()});
+    before_search_ = treat_.newestPulse();
+    was_searched_ = false;
     showIntensity();
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
@@ -69,13 +89,19 @@ void MotorPresenter::endSearch() {
 }
 
 void MotorPresenter::takeBack() {
-  if (!search_) return;
+  const bool is_of_pulse = answered_ > 0;
+  if (is_of_pulse) treat_.takeBackAnswer();
+  answered_ = 0;
   try {
-    search_->takeBack();
-    showIntensity();
+    // An answer of an earlier run of the search, or the one just taken back.
+    if (search_ && (was_searched_ || !is_of_pulse) && search_->state().pulses > 0) {
+      search_->takeBack();
+      showIntensity();
+    }
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
   }
+  was_searched_ = false;
   emit changed();
 }
 

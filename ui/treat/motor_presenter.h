@@ -16,15 +16,22 @@ class MotorPresenter : public QObject {
  public:
   MotorPresenter(TreatPresenter& treat, CaseModel& model, QObject* parent = nullptr);
 
-  /// Stores the muscle's answer with the newest pulse; a running search uses it.
+  /// Stores the muscle's answer with the newest pulse, one a pulse; a running search uses it, with that
+  /// pulse's intensity, if the pulse was given after the search began.
   void answer(bool has_response);
   void answerWithMep(double mep_uv);
+  /// True if a pulse waits for its answer.
+  bool canAnswer() const { return treat_.openPulse().has_value(); }
+  /// Asks for the newest pulse by its number: "pulse 12: did the muscle move?", or what to do.
+  QString question() const;
 
   /// Continues an unfinished search of the case, or begins one. The intensity becomes its next one.
   void search(stimulation::ThresholdMethod method, const QString& muscle);
   void endSearch();
-  /// Withdraws the search's last answer.
+  /// Withdraws the last answer; its pulse can be answered again.
   void takeBack();
+  /// True if there is an answer to withdraw.
+  bool canTakeBack() const { return answered_ > 0 || (search_ && search_->state().pulses > 0); }
   bool isSearching() const { return search_ != nullptr; }
   /// State of the search; null if none runs.
   const stimulation::ThresholdState* state() const { return search_ ? &search_->state() : nullptr; }
@@ -46,12 +53,15 @@ class MotorPresenter : public QObject {
 
  private:
   template <class Keep>
-  void take(Keep keep);
+  void take(const session::AddedPulse& pulse, Keep keep);
   void showIntensity();
 
   TreatPresenter& treat_;
   CaseModel& model_;
   std::unique_ptr<steps::MotorThreshold> search_;
+  int answered_ = 0;           // number of the pulse answered last in this session; 0: none
+  int before_search_ = 0;      // number of the newest pulse when the search began
+  bool was_searched_ = false;  // the search uses the last answer
   std::vector<guidance::Target> sites_;
   std::size_t site_ = 0;
 };

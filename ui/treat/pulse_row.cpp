@@ -34,7 +34,7 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
   pulses_->setObjectName("session");
   time_ = new QLabel(this);
   time_->setObjectName("session_time");
-  time_->setToolTip(tr("time since guidance was started"));
+  time_->setToolTip(tr("time since guidance was started, without pauses"));
   pulse_ = new QPushButton(tr("Pulse given"), this);
   pulse_->setToolTip(tr("counts a TMS pulse and keeps where the coil was (P)"));
   row->addWidget(pulses_, 1);
@@ -50,7 +50,7 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
 }
 
 void PulseRow::take() {
-  treat_.countPulse();
+  treat_.countPulse(times_.pressed());
   refresh();
 }
 

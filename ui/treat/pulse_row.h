@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "shell/input_times.h"
 #include "treat/session_sounds.h"
 #include "treat/treat_presenter.h"
 
@@ -20,7 +21,7 @@ class PulseRow : public QWidget {
  public:
   PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent = nullptr);
 
-  /// Counts a pulse now.
+  /// Counts a pulse at the time when its key or button was pressed.
   void take();
   /// Refreshes the row; called about 30 times a second.
   void refresh();
@@ -31,6 +32,7 @@ class PulseRow : public QWidget {
 
   TreatPresenter& treat_;
   SessionSounds& sounds_;
+  InputTimes times_;
   ElidedLabel* pulses_;
   QLabel* time_;
   QPushButton* pulse_;

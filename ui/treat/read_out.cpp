@@ -80,8 +80,8 @@ ReadOut makeReadOut(const session::NavigationState& state) {
     out.depth = (depth_mm > 0 ? QStringLiteral("+") : QString()) + millimetres(depth_mm);
     out.tilt = whole(g.values->tilt_rad * kDegPerRad, false);
     out.twist = whole(g.values->twist_rad * kDegPerRad, true);
-    if (g.predicted_error_mm > 0)
-      out.predicted = tr("\u00b1%1 mm at the target").arg(g.predicted_error_mm, 0, 'f', 1);
+    if (state.chosen && state.chosen->error_bound_mm > 0)
+      out.predicted = tr("95 % within %1 mm at the target").arg(state.chosen->error_bound_mm, 0, 'f', 1);
     out.level = g.state == guidance::State::on_target ? Level::good : Level::caution;
     const QString words = QString::fromStdString(g.instruction);
     out.instruction = out.level == Level::good ? tr("ON TARGET: %1").arg(words) : tr("ADJUST: %1").arg(words);
@@ -92,6 +92,17 @@ ReadOut makeReadOut(const session::NavigationState& state) {
                                              : QString::fromStdString(g.instruction);
   }
   return out;
+}
+
+ReadOut whilePaused(ReadOut read_out, const QString& words) {
+  read_out.across = read_out.depth = read_out.tilt = read_out.twist = QString(QChar(0x2013));
+  read_out.predicted.clear();
+  read_out.gap.clear();
+  read_out.gap_tip.clear();
+  read_out.gap_disagrees = false;
+  read_out.instruction = words;
+  read_out.level = Level::idle;
+  return read_out;
 }
 
 }  // namespace facenav::ui

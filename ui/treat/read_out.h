@@ -16,7 +16,7 @@ struct Chip {
 
 struct ReadOut {
   QString across, depth, tilt, twist;  // "2.4", "+1.0", "3\u00b0"; a dash when there is none
-  QString predicted;                   // "\u00b10.8 mm at the target", or empty
+  QString predicted;                   // "95 % within 1.4 mm at the target", or empty
   QString gap, gap_tip;                // "gap 4.6 mm, field -17 %; cameras 0.9 mm", or empty
   bool gap_disagrees = false;          // poses and cameras differ by more than their own error
   QString instruction;
@@ -26,5 +26,7 @@ struct ReadOut {
 };
 
 ReadOut makeReadOut(const session::NavigationState& state);
+/// The read-out while the session is paused: no figure and no "ON TARGET" stays; `words`: the pause's.
+ReadOut whilePaused(ReadOut read_out, const QString& words);
 
 }  // namespace facenav::ui

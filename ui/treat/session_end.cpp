@@ -11,9 +11,14 @@ constexpr std::chrono::milliseconds kPatience(1000);  // time for a session to e
 
 }  // namespace
 
-void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment) {
+void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment,
+               const std::string& why, std::function<void()> then) {
   endBeside(
-      retirement, [treatment] { treatment->end(); }, [treatment] { treatment->keepReport(); });
+      retirement, [treatment, why] { treatment->end(why); },
+      [treatment, then = std::move(then)] {
+        treatment->keepReport();
+        if (then) then();
+      });
 }
 
 void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std::function<void()> report) {

@@ -12,8 +12,10 @@
 namespace facenav::ui {
 
 /// Ends the treatment, then writes its report. Returns when the cameras have ended (normally within one
-/// frame) and the log is written, or after a second.
-void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment);
+/// frame) and the log is written, or after a second. `why`: as Treatment::end(). `then`: called after the
+/// report, on its thread; may be empty.
+void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatment> treatment,
+               const std::string& why = {}, std::function<void()> then = {});
 /// Ends in two steps: `report` follows `end`, also if `end` throws.
 void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std::function<void()> report);
 /// Writes the report of an ended session again.

@@ -63,10 +63,10 @@ QWidget* TipPanel::makeJudgement() {
   auto* bar = new QWidget(this);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
-  right_ = new QPushButton(tr("%1 Right").arg(QChar(0x2713)), bar);
+  right_ = new QPushButton(tr("%1 Matches").arg(QChar(0x2713)), bar);
   right_->setToolTip(tr("tip or spot is where the figures say; kept in the session's log (R)"));
   right_->setShortcut(Qt::Key_R);
-  wrong_ = new QPushButton(tr("%1 Wrong").arg(QChar(0x2715)), bar);
+  wrong_ = new QPushButton(tr("%1 Does not match").arg(QChar(0x2715)), bar);
   wrong_->setToolTip(
       tr("tip or spot is elsewhere; kept in the session's log. Guidance is withheld until a measured "
          "check passes (W)"));

@@ -98,7 +98,7 @@ void TipPresenter::judge(steps::TipVerdict verdict) {
   if (!canJudge()) return;
   treat_.judgeTip(verdict, *reading_);
   last_ = QTime::currentTime().toString("HH:mm ") +
-          (verdict == steps::TipVerdict::right ? tr("judged right: %1") : tr("judged WRONG, align again: %1"))
+          (verdict == steps::TipVerdict::right ? tr("matches: %1") : tr("DOES NOT MATCH, align again: %1"))
               .arg(QString::fromStdString(inWords(*reading_)));
   forgetSpot();
   emit changed();

@@ -31,7 +31,7 @@ class TipPresenter : public QObject {
   /// "mm outside the skin", "mm from nose tip".
   QString skinWords() const;
   QString placeWords() const;
-  /// What to do, or the last judgement: "14:05 judged right: 0.8 mm outside the skin, 3.2 mm from nose tip".
+  /// What to do, or the last judgement: "14:05 matches: 0.8 mm outside the skin, 3.2 mm from nose tip".
   QString words() const;
   /// True if the tip is near the head in a running session.
   bool canJudge() const;

@@ -1,24 +1,14 @@
 #include "treat/treat_presenter.h"
 
-#include <QFileInfo>
 #include <QSettings>
-#include <QTime>
 
-#include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
 #include "facenav/core/software_version.h"
 #include "facenav/prepare/sign_off_gate.h"
 #include "facenav/treat/session_return.h"
 #include "treat/recording_words.h"
-#include "treat/session_end.h"
 
 namespace facenav::ui {
-namespace {
-
-const char* const kPulseSource = "treat/pulses";
-
-}  // namespace
-
 TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskRunner& tasks, QObject* parent,
                                pictures::OverlayWorker::Draw draw)
     : QObject(parent),
@@ -53,12 +43,12 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
 }
 
 TreatPresenter::~TreatPresenter() {
-  if (treatment_) endSession();
+  if (treatment_) endSession("the window was closed");
 }
 
 /// Discards pictures and alignment: another case may be another patient.
 void TreatPresenter::forgetCase() {
-  stop();
+  stop("another case was opened");
   aligned_ = {};
   if (is_live_) recording_->capture.reset();
   cameras_.forgetPictures();
@@ -74,7 +64,7 @@ void TreatPresenter::openRecording(const QString& folder) {
     auto film = std::make_shared<steps::TreatmentFilm>(
         steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
     return [this, film] {
-      stop();
+      stop("another recording was opened");
       recording_ = film->recording;
       is_live_ = false;
       rig_fault_.clear();
@@ -88,7 +78,7 @@ void TreatPresenter::openRecording(const QString& folder) {
 
 /// Uses the cameras; the old alignment is no longer valid.
 void TreatPresenter::useCameras() {
-  stop();
+  stop("the cameras were opened again");
   recording_ = capture::Recording{};
   recording_->rig = cameras_.lastOpened()->rig;
   is_live_ = true;
@@ -203,7 +193,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
 
 /// Begins a session. One that ended by itself still exists with its log, so it is ended first.
 void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
-  if (treatment_) endSession();
+  if (treatment_) endSession("another session was started");
   treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), chosen());
   last_session_ = treatment_->log().folder();
   treatment_->setIntensity(intensity_pct_);
@@ -211,85 +201,9 @@ void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
   listen();
 }
 
-void TreatPresenter::listen() {
-  if (pulse_source_.isEmpty() || !isRunning()) return;
-  if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
-    emit refused(tr("no pulses from outside: %1").arg(QString::fromStdString(*fault)));
-}
-
-bool TreatPresenter::setPulseSource(const QString& words) {
-  try {
-    if (!words.trimmed().isEmpty()) links::openPulseSource(words.trimmed().toStdString());
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-    return false;
-  }
-  pulse_source_ = words.trimmed();
-  QSettings().setValue(kPulseSource, pulse_source_);
-  if (isRunning()) treatment_->stopListening();
-  listen();
-  emit changed();
-  return true;
-}
-
-void TreatPresenter::setIntensity(std::optional<double> intensity_pct) {
-  intensity_pct_ = intensity_pct;
-  if (treatment_) treatment_->setIntensity(intensity_pct);
-  emit changed();
-}
-
-bool TreatPresenter::answerPulse(double mep_uv) {
-  return isRunning() && treatment_->log().answerPulse(mep_uv);
-}
-
-bool TreatPresenter::answerPulse(bool has_twitched) {
-  return isRunning() && treatment_->log().answerPulse(has_twitched);
-}
-
-void TreatPresenter::pause(const QString& reason) {
-  if (isRunning()) treatment_->pause(reason.trimmed().toStdString());
-  emit changed();
-}
-
-void TreatPresenter::resume() {
-  if (isRunning()) treatment_->resume();
-  emit changed();
-}
-
-void TreatPresenter::checkRegistration() {
-  if (isRunning()) treatment_->checkRegistration();
-}
-
 void TreatPresenter::showSkin(bool is_shown) {
   shows_skin_ = is_shown;
   emit changed();
-}
-
-void TreatPresenter::judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading) {
-  if (!isRunning()) return;
-  treatment_->judgeTip(verdict, reading);
-  is_judged_wrong_ |= verdict == steps::TipVerdict::wrong;
-  emit changed();
-}
-
-bool TreatPresenter::note(const QString& event, const QString& detail) {
-  if (last_session_.empty()) {
-    emit refused(tr("there is no session yet: start guidance first"));
-    return false;
-  }
-  try {
-    const auto words = report::noteWords(detail.toStdString(), event.toStdString());
-    if (treatment_) {
-      treatment_->log().addEvent(event.toStdString(), words);
-      return true;
-    }
-    casefile::addNote(last_session_, event.toStdString(), words);
-    reportBeside(retirement_, model_.current().store.folder(), last_session_);
-    return true;
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-    return false;
-  }
 }
 
 void TreatPresenter::guideTo(const std::optional<guidance::Target>& site) {
@@ -309,22 +223,6 @@ void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
     emit refused(QString::fromUtf8(error.what()));
   }
 }
-
-void TreatPresenter::countPulse() {
-  if (isRunning()) treatment_->pressPulse();
-}
-
-QString TreatPresenter::sessionTime() const {
-  if (!treatment_) return {};
-  return QTime(0, 0).addMSecs(int(1e3 * treatment_->session().elapsed_s())).toString("hh:mm:ss");
-}
-
-void TreatPresenter::stop() {
-  if (treatment_) endSession();
-  emit changed();
-}
-
-void TreatPresenter::endSession() { endBeside(retirement_, std::move(treatment_)); }
 
 void TreatPresenter::chooseTarget(const QString& name) {
   target_ = name;

@@ -41,7 +41,18 @@ class TreatPresenter : public QObject {
   /// Continues an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
   /// until the face was measured against that alignment. Needs cameras or a recording.
   void goOn(const casefile::SessionSoFar& session);
-  void stop();
+  /// Stops guiding; the session goes on, paused, until guide() or end().
+  void stopGuiding();
+  void guide() { resume(); }
+  /// Asks for the end: guiding stops until end() or cancelEnd().
+  void askEnd();
+  void cancelEnd();
+  bool isEnding() const { return is_ending_ && hasSession(); }
+  /// Ends the session; log and report are written. Notes pain afterwards and adverse events; empty: not
+  /// asked, none. sessionEnded() follows when the report is there.
+  void end(const QString& pain_after = {}, const QString& adverse = {});
+  /// Ends a session for another reason than the operator's wish; `why` is logged.
+  void stop(const std::string& why);
   void chooseTarget(const QString& name);
   /// Names of the coils to choose from: the recording's own one, then those of the library.
   QStringList coils() const { return coil_.names(); }
@@ -57,14 +68,25 @@ class TreatPresenter : public QObject {
   void guideTo(const std::optional<guidance::Target>& site);
 
   // The functions of this group work only while guidance runs; else they do nothing, or return false.
-  /// Stores a TMS pulse with the coil's pose.
-  void countPulse();
-  /// Stores the muscle's response to the newest pulse.
+  /// Stores a TMS pulse, given at that time, with the coil's pose.
+  void countPulse(Timestamp at = Timestamp::now());
+  /// The newest pulse, if the muscle's response to it is not stored yet.
+  std::optional<session::AddedPulse> openPulse() const;
+  /// Number of the newest pulse; 0: none.
+  int newestPulse() const;
+  /// Stores the muscle's response to the newest pulse, one a pulse.
   bool answerPulse(double mep_uv);
   bool answerPulse(bool has_twitched);
+  bool takeBackAnswer();
   void pause(const QString& reason);
   void resume();
   bool isPaused() const { return isRunning() && treatment_->isPaused(); }
+  /// True while a person is guided: a session runs and is not paused.
+  bool isGuiding() const { return isRunning() && !treatment_->isPaused(); }
+  /// "PAUSED: coil too warm", or empty.
+  QString pauseWords() const;
+  /// Length of the pause under way, s.
+  double pauseLength_s() const;
   /// Measures the registration again; the result is in the next states, and in the log.
   void checkRegistration();
   /// True if the last check, or the alignment, is too long ago.
@@ -94,8 +116,12 @@ class TreatPresenter : public QObject {
   /// Number of pulses in the session's file; a pulse is written with the frame after it, at the latest after
   /// half a second.
   int pulses() const { return treatment_ ? treatment_->log().pulses() : 0; }
-  /// Time from the start of guidance until its end, "00:07:31"; empty before.
+  /// Time from the start of guidance until its end, without pauses, "00:07:31"; empty before.
   QString sessionTime() const;
+  /// "00:07:31, 40 pulses of 50: 38 on target, 2 outside"; empty without a session.
+  QString summary() const;
+  /// True from a session's start until end() or stop(), also after its recording's end.
+  bool hasSession() const { return treatment_ != nullptr; }
   /// Why the session's log stopped; empty if it did not.
   QString logFailure() const {
     return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
@@ -124,8 +150,8 @@ class TreatPresenter : public QObject {
   /// Folder of the recording used in place of cameras; empty if none.
   QString recordingFolder() const;
   QString recordingWords() const;
-  /// "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", "not aligned in this session". The header shows
-  /// the same words.
+  /// "aligned: 95 % within 1.4 mm at M1 (..)", "not aligned in this session". The header shows the same
+  /// words.
   QString alignmentWords() const;
   QString targetName() const { return target_; }
   /// The target guided to: the chosen one, or the site of a hunting grid. May be null.
@@ -136,8 +162,7 @@ class TreatPresenter : public QObject {
   /// otherwise.
   std::optional<double> errorBound95_mm(const guidance::Target& target) const {
     if (!isAligned()) return std::nullopt;
-    const auto& result = aligned_.outcome->result;
-    return result.uncertainty().errorBound_mm(result.camera_T_mri, target.cortex_point);
+    return aligned_.outcome->errorBound_mm(target);
   }
 
   /// The MRI's skin and the check of the coil's tip, for the alignment in use; null members if none.
@@ -164,6 +189,8 @@ class TreatPresenter : public QObject {
  signals:
   void changed();
   void refused(const QString& words);
+  /// The session of that name was ended by end(), and its report is written.
+  void sessionEnded(const QString& name);
   void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);
 
  private:
@@ -177,7 +204,8 @@ class TreatPresenter : public QObject {
   void forgetCameras();
   void forgetCase();
   void listen();
-  void endSession();
+  void endSession(const std::string& why, std::function<void()> then = {});
+  static constexpr const char* kPulseSource = "treat/pulses";  // in the settings
   std::optional<session::ChosenTarget> chosen() const;
 
   const Services& services_;
@@ -191,6 +219,7 @@ class TreatPresenter : public QObject {
   AlignedHead aligned_;
   bool is_judged_wrong_ = false;  // judgement of aligned_ by a person; until the head is aligned again
   bool shows_skin_ = true;
+  bool is_ending_ = false, stopped_for_end_ = false;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
   AsynchronousShutdown retirement_;

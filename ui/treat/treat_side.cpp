@@ -44,7 +44,8 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
   tools_ = new ShownPage(this);
   bulls_eye_ = new BullsEyeView(tools_);
   tools_->addWidget(bulls_eye_);
-  tools_->addWidget(new ScrollColumn(new MotorPanel(motor, treat, tools_), 0, tools_));
+  motor_ = new MotorPanel(motor, treat, tools_);
+  tools_->addWidget(new ScrollColumn(motor_, 0, tools_));
   tools_->addWidget(new ScrollColumn(new SessionPanel(treat, sounds, screens, projector, tools_), 0, tools_));
   tools_->addWidget(new ScrollColumn(new TipPanel(tip, treat, tools_), 0, tools_));
   figures_ = new FiguresPanel(this);
@@ -89,7 +90,10 @@ void TreatSide::showTool(Tool tool) { tabs_->setCurrentIndex(int(tool)); }
 
 bool TreatSide::isShown(Tool tool) const { return tabs_->currentIndex() == int(tool); }
 
-void TreatSide::refreshPulses() { pulses_->refresh(); }
+void TreatSide::refreshPulses() {
+  pulses_->refresh();
+  motor_->showQuestion();
+}
 
 void TreatSide::show(const guidance::GuidanceState& guidance, const ReadOut& read_out) {
   bulls_eye_->set(guidance);

@@ -19,6 +19,7 @@ namespace facenav::ui {
 
 class BullsEyeView;
 class FiguresPanel;
+class MotorPanel;
 class PulseRow;
 
 class TreatSide : public QWidget {
@@ -53,6 +54,7 @@ class TreatSide : public QWidget {
   QBoxLayout* bulls_eye_and_figures_;
   QScrollArea* column_;
   QTabBar* tabs_;
+  MotorPanel* motor_;
   PulseRow* pulses_;
 };
 

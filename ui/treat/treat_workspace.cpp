@@ -15,8 +15,10 @@
 #include "shell/words_of_button.h"
 #include "treat/camera_row.h"
 #include "treat/cameras_panel.h"
+#include "treat/end_panel.h"
 #include "treat/live_slices.h"
 #include "treat/override_panel.h"
+#include "treat/pause_panel.h"
 #include "treat/return_panel.h"
 #include "treat/treat_side.h"
 
@@ -49,6 +51,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       projector_(presenter, model),
       screens_(new SecondScreens(projector_, *this)),
       scene_(new SceneView(this)),
+      pause_(new PausePanel(presenter, this)),
       slices_(new LiveSlices(this)),
       pictures_(new CameraRow(this)) {
   setObjectName("treat");  // the style sheet makes its text legible from two metres
@@ -65,6 +68,8 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   column->setContentsMargins(10, 10, 10, 10);
   column->addWidget(new OverridePanel(presenter_, model_, this));
   column->addWidget(new ReturnPanel(return_, this));
+  column->addWidget(pause_);
+  column->addWidget(new EndPanel(presenter_, this));
   column->addLayout(row, 1);
   column->addWidget(makeSteps());
   timer_.setInterval(kPageRefresh_ms);
@@ -113,7 +118,7 @@ QWidget* TreatWorkspace::makeSteps() {
   slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
   words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
-  for (auto* button : {cameras_, align_, guide_}) row->addWidget(button);
+  for (auto* button : {cameras_, align_, guide_, end_}) row->addWidget(button);
   row->addWidget(words_, 1);
   row->addWidget(show_slices_);
   row->addWidget(slices_in_scene_);
@@ -132,7 +137,10 @@ void TreatWorkspace::makeStepButtons(QWidget* bar) {
   cameras_->setShortcut(Qt::CTRL + Qt::Key_R);
   align_->setToolTip(tr("measure the face and fit it to the scan; no click is needed (Ctrl+L)"));
   align_->setShortcut(Qt::CTRL + Qt::Key_L);
-  guide_->setToolTip(tr("start or stop guidance (Space)"));
+  guide_->setToolTip(tr("start, stop or go on with guidance; the session stays open (Space)"));
+  end_ = new QPushButton(tr("4 End\u2026"), bar);
+  end_->setToolTip(tr("end the session: asks for pain and adverse events, then shows the report (Ctrl+E)"));
+  end_->setShortcut(Qt::CTRL + Qt::Key_E);
   guide_->setShortcut(Qt::Key_Space);
   guide_->setObjectName("primary");
 }
@@ -163,10 +171,12 @@ void TreatWorkspace::connectSteps() {
   connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
   connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
   connect(guide_, &QPushButton::clicked, this, [this] {
-    if (presenter_.isRunning()) return presenter_.stop();
+    if (presenter_.isGuiding()) return presenter_.stopGuiding();
+    if (presenter_.isEnding()) return presenter_.cancelEnd();
     showStage(false);
-    presenter_.start();
+    presenter_.isPaused() ? presenter_.guide() : presenter_.start();
   });
+  connect(end_, &QPushButton::clicked, &presenter_, &TreatPresenter::askEnd);
   connect(target_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { presenter_.chooseTarget(target_->currentText()); });
   connect(coil_, QOverload<int>::of(&QComboBox::activated), this,
@@ -203,8 +213,14 @@ void TreatWorkspace::showSteps() {
   setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
   const bool has_begun = presenter_.isRunning() && !shows_running_;
   shows_running_ = presenter_.isRunning();
-  if (has_begun) showStage(false);
-  setWords(*guide_, shows_running_ ? tr("3 Guide %1  stop").arg(live) : tr("3 Guide %1  start").arg(open));
+  // The alignment is shown at once: the MRI's skin over both pictures, beside the scene.
+  const bool has_aligned = presenter_.isAligned() && !shows_aligned_;
+  shows_aligned_ = presenter_.isAligned();
+  if (has_begun || has_aligned) showStage(false);
+  setWords(*guide_, presenter_.isGuiding() ? tr("3 Guide %1  stop").arg(live)
+                    : shows_running_       ? tr("3 Guide %1  go on").arg(open)
+                                           : tr("3 Guide %1  start").arg(open));
+  end_->setVisible(presenter_.hasSession());
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
@@ -244,38 +260,10 @@ void TreatWorkspace::showCase() {
 
 bool TreatWorkspace::hasMoved() const { return !presenter_.withheldWords().isEmpty(); }
 
-/// The newest state in words; before guidance: what is missing for it.
-ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
-  ReadOut read_out = makeReadOut(state);
-  if (was_started) {
-    if (!presenter_.hasEnded() || !state.failure.empty()) return read_out;
-    read_out.instruction = tr("RECORDING ENDED: start again");
-    read_out.level = Level::idle;
-    return read_out;
-  }
-  const bool has_moved = hasMoved();
-  read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
-                         : !model_.isOpen()       ? tr("NO CASE OPEN")
-                         : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
-                         : !presenter_.otherChoiceWords().isEmpty()
-                             ? tr("CAMERAS CHANGED: open them (step 1)")
-                         : presenter_.isAligned() ? tr("READY: start guidance")
-                                                  : tr("NOT ALIGNED");
-  read_out.level = Level::idle;
-  read_out.timing.clear();
-  read_out.cameras = {has_moved                   ? tr("CAMERAS moved")
-                      : presenter_.hasRecording() ? tr("CAMERAS ready")
-                                                  : tr("CAMERAS none"),
-                      {},
-                      has_moved ? Level::lost : Level::idle};
-  read_out.face = {tr("FACE idle"), {}, Level::idle};
-  read_out.coil = {tr("COIL idle"), {}, Level::idle};
-  return read_out;
-}
-
 void TreatWorkspace::refresh() {
-  const auto state = presenter_.state();
+  const auto state = shownState();
   tools_->refreshPulses();
+  pause_->refresh();
   check_.follow(*state);
   tip_.follow(*state);
   // The check of a kept rig can finish at any time.
@@ -319,7 +307,7 @@ void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>&
                   state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
   presenter_.askOverlay(state);
   tools_->show(state->guidance, read_out);
-  presenter_.isRunning() ? sounds_.follow(state->guidance) : sounds_.forget();
+  presenter_.isGuiding() ? sounds_.follow(state->guidance) : sounds_.forget();
 }
 
 void TreatWorkspace::drawScene(const session::NavigationState& state, const ReadOut& read_out,

@@ -22,6 +22,7 @@ namespace facenav::ui {
 class CameraRow;
 class ElidedLabel;
 class LiveSlices;
+class PausePanel;
 class SceneView;
 
 class TreatWorkspace : public QWidget {
@@ -59,6 +60,7 @@ class TreatWorkspace : public QWidget {
   void showSteps();
   void showCoils();
   void refresh();
+  std::shared_ptr<const session::NavigationState> shownState() const;
   ReadOut readOut(const session::NavigationState& state, bool was_started) const;
   void draw(const std::shared_ptr<const session::NavigationState>& state, const ReadOut& read_out,
             bool was_started);
@@ -78,15 +80,16 @@ class TreatWorkspace : public QWidget {
   SecondScreens* screens_;
   SessionSounds sounds_;
   SceneView* scene_;
+  PausePanel* pause_;
   LiveSlices* slices_;
   CameraRow* pictures_;
   TreatSide* tools_;  // Aim, Motor, Session, Check
   QComboBox *target_, *coil_;
   QStackedWidget* side_;
-  QPushButton *cameras_, *align_, *guide_, *show_slices_, *slices_in_scene_;
+  QPushButton *cameras_, *align_, *guide_, *end_, *show_slices_, *slices_in_scene_;
   ElidedLabel* words_;
   QTimer timer_;
-  bool is_outdated_ = false, shows_running_ = false, shows_moved_ = false;
+  bool is_outdated_ = false, shows_running_ = false, shows_aligned_ = false, shows_moved_ = false;
   std::int64_t previewed_ = -1;
   QString signature_;
 };

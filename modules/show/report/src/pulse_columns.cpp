@@ -13,7 +13,7 @@ const std::array<PulseColumnWords, 12>& pulseColumns() {
       {PulseColumn::tilt, "tilt_deg", "tilt", "deg", 1},
       {PulseColumn::twist, "twist_deg", "twist", "deg", 1},
       {PulseColumn::gap, "gap_mm", "gap", "mm", 1},
-      {PulseColumn::predicted_error, "predicted_error_mm", "predicted error", "mm", 1},
+      {PulseColumn::error_bound, "error_bound_mm", "95 % within", "mm", 1},
       {PulseColumn::intensity, "intensity_pct", "output", "%", 0},
       {PulseColumn::field, "e_target_v_per_m", "field", "V/m", 0},
       {PulseColumn::mep, "mep_uv", "MEP", "uV", 0},
@@ -43,8 +43,8 @@ std::optional<double> valueOf(const casefile::Pulse& pulse, PulseColumn column) 
       return ofOffset(&casefile::PulseOffset::twist_deg);
     case PulseColumn::gap:
       return pulse.gap_mm;
-    case PulseColumn::predicted_error:
-      return pulse.predicted_error_mm;
+    case PulseColumn::error_bound:
+      return pulse.error_bound_mm;
     case PulseColumn::intensity:
       return pulse.intensity_pct;
     case PulseColumn::field:

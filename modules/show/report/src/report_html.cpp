@@ -12,6 +12,7 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse;margin:.4em 0}"
     "th,td{padding:.2em .8em .2em 0;border-bottom:1px solid #ccd;text-align:left;vertical-align:top}"
     "th{background:#eef3f8}table.facts td:first-child{color:#445;min-width:17em}"
+    "table.pictures td{border:0;width:50%}"
     "tr,svg,img{break-inside:avoid}svg,img{margin:.4em .6em .4em 0}img{max-width:100%}"
     "@media print{body{font-size:11px;margin:0;padding:0}}";
 

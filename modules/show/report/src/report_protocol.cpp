@@ -25,11 +25,12 @@ std::optional<casefile::Protocol> planOf(const casefile::CaseStore& store,
   return casefile::protocolOf(store.folder());
 }
 
-/// Rhythm given, from the times of the pulses that are not excluded.
+/// Rhythm given, from the times of the pulses that are not excluded. A train has two pulses or more.
 struct Rhythm {
-  int pulses = 0, trains = 0, on_target = 0;
+  int pulses = 0, trains = 0, in_trains = 0, on_target = 0;
   std::optional<double> frequency_hz, pause_s;  // medians
   std::vector<double> outputs_pct;
+  int single() const { return pulses - in_trains; }
 };
 
 /// Threshold between the step within a train and the pause after it.
@@ -38,24 +39,46 @@ double trainPause_s(const std::optional<casefile::Protocol>& plan) {
   return 0.5 * (1.0 / plan->dose.frequency_hz + plan->dose.pause_s);
 }
 
+/// The pulse's time by the machine's steady clock, by which the pulses were given. A recording's own clock
+/// (t_s) stands still while the recording is played slowly. Nothing: not known.
+std::optional<double> timeOf(const casefile::Pulse& pulse) {
+  return pulse.steady_s > 0 ? std::optional(pulse.steady_s) : pulse.t_s;
+}
+
+/// Adds trains and the times between pulses. `times_s`: of all pulses, in order.
+void addTrains(const std::vector<double>& times_s, double train_pause_s, Rhythm& rhythm) {
+  std::vector<double> steps_s, pauses_s;
+  std::size_t first = 0;               // of the present group
+  std::optional<double> last_train_s;  // end of the last train
+  for (std::size_t i = 1; i <= times_s.size(); ++i) {
+    const double step_s = i < times_s.size() ? times_s[i] - times_s[i - 1] : -1;
+    if (step_s >= 0 && step_s <= train_pause_s) {  // < 0: the machine was started anew
+      steps_s.push_back(step_s);
+      continue;
+    }
+    if (i - first >= 2) {
+      ++rhythm.trains;
+      rhythm.in_trains += int(i - first);
+      if (last_train_s && times_s[first] > *last_train_s) pauses_s.push_back(times_s[first] - *last_train_s);
+      last_train_s = times_s[i - 1];
+    }
+    first = i;
+  }
+  if (!steps_s.empty() && median(steps_s) > 0) rhythm.frequency_hz = 1.0 / median(steps_s);
+  if (!pauses_s.empty()) rhythm.pause_s = median(pauses_s);
+}
+
 Rhythm rhythmOf(const casefile::KeptSession& session, double train_pause_s) {
   Rhythm rhythm;
-  std::vector<double> steps_s, pauses_s;
-  std::optional<double> last_s;
+  std::vector<double> times_s;
   for (const auto& reviewed : session.pulses.pulses) {
     if (reviewed.is_excluded) continue;
     ++rhythm.pulses;
     rhythm.on_target += reviewed.pulse.status == casefile::PulseStatus::on_target;
     if (reviewed.pulse.intensity_pct) rhythm.outputs_pct.push_back(*reviewed.pulse.intensity_pct);
-    const auto& t_s = reviewed.pulse.t_s;
-    if (!t_s) continue;
-    const bool is_in_train = last_s && *t_s - *last_s <= train_pause_s;
-    if (!is_in_train) ++rhythm.trains;
-    if (last_s) (is_in_train ? steps_s : pauses_s).push_back(*t_s - *last_s);
-    last_s = t_s;
+    if (const auto time_s = timeOf(reviewed.pulse)) times_s.push_back(*time_s);
   }
-  if (!steps_s.empty() && median(steps_s) > 0) rhythm.frequency_hz = 1.0 / median(steps_s);
-  if (!pauses_s.empty()) rhythm.pause_s = median(pauses_s);
+  addTrains(times_s, train_pause_s, rhythm);
   return rhythm;
 }
 
@@ -125,11 +148,15 @@ std::string trainWords(const casefile::CaseStore& store, const casefile::KeptSes
   } catch (const Error&) {  // protocolPart reports it
   }
   const Rhythm given = rhythmOf(session, trainPause_s(plan));
-  if (!given.frequency_hz)
-    return given.pulses == 0 ? kNothingRecorded : formatted("%d single pulses", given.pulses);
-  std::string words = formatted("%d trains, %.1f pulses each on average, %.1f Hz", given.trains,
-                                double(given.pulses) / given.trains, *given.frequency_hz);
-  return words + (given.pause_s ? formatted(", pauses of %.1f s (medians)", *given.pause_s) : "");
+  if (given.pulses == 0) return kNothingRecorded;
+  const std::string single =
+      formatted("%d single %s", given.single(), given.single() == 1 ? "pulse" : "pulses");
+  if (given.trains == 0 || !given.frequency_hz) return single;
+  std::string words = formatted("%d %s, %.1f pulses each on average, %.1f Hz", given.trains,
+                                given.trains == 1 ? "train" : "trains",
+                                double(given.in_trains) / given.trains, *given.frequency_hz);
+  if (given.pause_s) words += formatted(", pauses of %.1f s (medians)", *given.pause_s);
+  return words + (given.single() > 0 ? "; " + single : "");
 }
 
 std::string protocolPart(const casefile::CaseStore& store, const casefile::KeptSession& session) {

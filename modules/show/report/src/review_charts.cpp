@@ -202,10 +202,11 @@ Chart driftChart(const std::vector<casefile::ReviewedPulse>& pulses, PulseColumn
   for (const auto& reviewed : pulses) {
     const casefile::Pulse& pulse = reviewed.pulse;
     const auto value = valueOf(pulse, column);
-    if (pulse.t_s && (!first_s || *pulse.t_s < *first_s)) first_s = pulse.t_s;
-    if (!pulse.t_s || !value) continue;
-    marks.push_back(
-        {*pulse.t_s, *value, pulse.status == casefile::PulseStatus::on_target, reviewed.is_excluded});
+    // The steady clock, as in the report's trains; t_s is a recording's own clock.
+    const auto at_s = pulse.steady_s > 0 ? std::optional(pulse.steady_s) : pulse.t_s;
+    if (at_s && (!first_s || *at_s < *first_s)) first_s = at_s;
+    if (!at_s || !value) continue;
+    marks.push_back({*at_s, *value, pulse.status == casefile::PulseStatus::on_target, reviewed.is_excluded});
   }
   addTitle(
       chart, formatted("%s over time", labelOf(column).c_str()),

@@ -12,6 +12,7 @@
 #include "facenav/core/without_folders.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
+#include "facenav/report/local_time.h"
 #include "facenav/report/review_charts.h"
 #include "facenav/report/session_notes.h"
 #include "facenav/report/session_review.h"
@@ -24,7 +25,7 @@ namespace facenav::report {
 namespace {
 
 constexpr const char* kNotRecorded = "not recorded";
-constexpr std::size_t kMostRows = 60;  // largest table on paper; pulses.csv and events.jsonl have all rows
+constexpr std::size_t kMostRows = 20;  // largest table on paper; pulses.csv and events.jsonl have all rows
 constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // limits of the share of pulses in published sheets
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
 
@@ -32,6 +33,15 @@ std::string timeWords(const std::optional<double>& seconds) {
   if (!seconds) return kNotRecorded;
   const long whole = std::lround(*seconds);
   return formatted("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+/// "0:20:05, 0:02:31 of it paused; the program did not run for 0:05:00 in between".
+std::string durationWords(const SessionSummary& summary) {
+  std::string words = timeWords(summary.duration_s);
+  if (summary.paused_s.value_or(0) >= 0.5) words += ", " + timeWords(summary.paused_s) + " of it paused";
+  if (summary.away_s.value_or(0) >= 0.5)
+    words += "; the program did not run for " + timeWords(summary.away_s) + " in between";
+  return words;
 }
 
 std::string shareWords(double part, double whole) {
@@ -96,21 +106,50 @@ std::string gapWords(const casefile::KeptSession& session) {
   return gaps_mm.empty() ? kNotRecorded : formatted("median %.1f mm", median(gaps_mm));
 }
 
+/// "95 % within 1.4 mm", as everywhere else; an older session stored only the standard error.
 std::string errorWords(const casefile::KeptSession& session) {
-  std::vector<double> error_mm;
-  for (const auto& reviewed : session.pulses.pulses)
-    if (reviewed.pulse.predicted_error_mm) error_mm.push_back(*reviewed.pulse.predicted_error_mm);
-  if (error_mm.empty()) return kNotRecorded;
-  const auto [low, high] = std::minmax_element(error_mm.begin(), error_mm.end());
-  return *high - *low < 0.05 ? formatted("%.1f mm (standard error of the alignment)", *high)
-                             : formatted("%.1f to %.1f mm (standard error of the alignment)", *low, *high);
+  std::vector<double> bound_mm, error_mm;
+  for (const auto& reviewed : session.pulses.pulses) {
+    if (const auto& bound = reviewed.pulse.error_bound_mm) bound_mm.push_back(*bound);
+    if (const auto& error = reviewed.pulse.predicted_error_mm) error_mm.push_back(*error);
+  }
+  if (bound_mm.empty() && error_mm.empty()) return kNotRecorded;
+  const bool is_known = !bound_mm.empty();
+  const auto& values = is_known ? bound_mm : error_mm;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const std::string range =
+      *high - *low < 0.05 ? formatted("%.1f mm", *high) : formatted("%.1f to %.1f mm", *low, *high);
+  return is_known ? "95 % within " + range : range + " (one standard error; 95 % not recorded)";
+}
+
+std::string joined(const std::vector<std::string>& words, const char* none) {
+  std::string all;
+  for (const auto& each : words) all += (all.empty() ? "" : "; ") + each;
+  return all.empty() ? none : all;
+}
+
+/// "coil too warm (151 s); equipment (not ended)".
+std::string pauseWords(const casefile::KeptSession& session) {
+  std::vector<std::string> reasons, lengths;
+  for (const auto& e : session.events) {
+    if (e.event == session_events::kPause) {
+      reasons.push_back(e.detail.empty() ? "no reason given" : e.detail);
+      lengths.resize(reasons.size(), "not ended");
+    }
+    if (lengths.empty()) continue;
+    if (e.event == session_events::kResume) lengths.back() = "ended";
+    if (e.event == session_events::kPauseLength) lengths.back() = e.detail;
+  }
+  for (std::size_t i = 0; i < reasons.size(); ++i) reasons[i] += " (" + lengths[i] + ")";
+  return joined(reasons, "none");
 }
 
 std::string signOffWords(const casefile::CaseStore& store) {
   try {
     const auto status = casefile::signOffStatus(store);
     if (!status.last) return "not signed off";
-    return status.last->by + ", " + status.last->utc + (status.holds() ? "" : " (no longer valid)");
+    return status.last->by + ", " + localTime(status.last->utc) +
+           (status.holds() ? "" : " (no longer valid)");
   } catch (const Error&) {
     return "cannot be read";
   }
@@ -118,29 +157,29 @@ std::string signOffWords(const casefile::CaseStore& store) {
 
 std::string placeWords(const casefile::KeptSession& session, const SessionSummary& summary) {
   if (!summary.is_at_home) return "here";
-  return session.returned_utc ? "at home; the file came back on " + *session.returned_utc : "at home";
+  return session.returned_utc ? "at home; the file came back on " + localTime(*session.returned_utc)
+                              : "at home";
 }
 
 std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSession& session,
                         const SessionSummary& summary) {
   return headingHtml("Session") +
-         factsHtml(
-             {{"Start (UTC)", summary.started_utc},
-              {"Duration", timeWords(summary.duration_s)},
-              {"End", summary.has_ended ? "ended normally" : "not ended: it still runs, or it was cut off"},
-              {"Gone on with", detailsOf(session, "session continued") == kNotRecorded
-                                   ? "no"
-                                   : detailsOf(session, "session continued")},
-              {"Place", placeWords(session, summary)},
-              {"Operator", detailsOf(session, "operator")},
-              {"Head model checked by", signOffWords(store)},
-              {"Treated without a sign-off",
-               detailsOf(session, "override") == kNotRecorded ? "no" : detailsOf(session, "override")},
-              {"Protocol", detailsOf(session, "protocol")},
-              {"Pauses, with their reasons", detailsOf(session, "pause")},
-              {"Pain before (0 to 10)", detailsOf(session, "pain before")},
-              {"Pain after (0 to 10)", detailsOf(session, "pain after")},
-              {"Adverse events", detailsOf(session, "adverse event")}});
+         factsHtml({{"Start", localTimeAndZone(summary.started_utc)},
+                    {"Duration", durationWords(summary)},
+                    {"End", summary.end},
+                    {"Gone on with", detailsOf(session, "session continued") == kNotRecorded
+                                         ? "no"
+                                         : detailsOf(session, "session continued")},
+                    {"Place", placeWords(session, summary)},
+                    {"Operator", detailsOf(session, "operator")},
+                    {"Head model checked by", signOffWords(store)},
+                    {"Treated without a sign-off",
+                     detailsOf(session, "override") == kNotRecorded ? "no" : detailsOf(session, "override")},
+                    {"Protocol", detailsOf(session, "protocol")},
+                    {"Pauses, with their reasons", pauseWords(session)},
+                    {"Pain before (0 to 10)", detailsOf(session, "pain before")},
+                    {"Pain after (0 to 10)", detailsOf(session, "pain after")},
+                    {"Adverse events", detailsOf(session, "adverse event")}});
 }
 
 std::string stimulationPart(const casefile::CaseStore& store, const casefile::KeptSession& session,
@@ -158,6 +197,7 @@ std::string stimulationPart(const casefile::CaseStore& store, const casefile::Ke
                     {"of these on target", formatted("%d", s.on_target) + shareWords(s.on_target, counted)},
                     {"outside the tolerance", formatted("%d", s.outside) + shareWords(s.outside, counted)},
                     {"with head or coil lost", formatted("%d", s.lost) + shareWords(s.lost, counted)},
+                    {"given in a pause (never on target)", formatted("%d", s.in_pause)},
                     {"excluded, with a reason", formatted("%d", s.excluded)},
                     {"Double triggers, not counted", formatted("%d", s.double_triggers)}});
 }
@@ -165,14 +205,15 @@ std::string stimulationPart(const casefile::CaseStore& store, const casefile::Ke
 std::string accuracyPart(const casefile::KeptSession& session, const SessionSummary& s) {
   std::vector<TableRow> rows{
       {"Alignment of MRI and head", detailsOf(session, "alignment")},
+      {"Error of the alignment at the target", errorWords(session)},
+      {"Cautions of the alignment", joined(s.alignment_cautions, "none")},
       {"Re-checks of the registration", detailsOf(session, "registration check")},
       {"Coil's tip held to the face, judged by a person", detailsOf(session, session_events::kTip)},
-      {"Predicted error at the target", errorWords(session)},
       {"Distance of coil and target at the pulses, median / 95th percentile",
        spreadWords(s.distance_mm, "mm")},
       {"Tilt at the pulses, median / 95th percentile", spreadWords(s.tilt_deg, "deg")},
       {formatted("Pulses within %.0f mm and %.0f deg", kNear_mm, kNear_deg), nearWords(session)},
-      {"Time guided", timeWords(s.guided_s)}};
+      {"Time guided, without pauses", timeWords(s.guided_s)}};
   if (s.guided_s) {
     rows.push_back(
         {"of this off target", timeWords(s.off_target_s) + shareWords(*s.off_target_s, *s.guided_s)});
@@ -214,22 +255,27 @@ std::string figuresPart(const casefile::KeptSession& session, SessionReport& rep
   }
   const guidance::Tolerance tolerance{};
   const auto chart = [&](Chart drawn) { return placed({std::move(drawn), {}}, report); };
-  return headingHtml("Pulses against their targets") +
+  return headingHtml("Pulses against their targets") + "<p>" +
          chart(histogramChart("Distance", "mm", distance_mm, kDistanceBin_mm, kNear_mm)) +
          chart(histogramChart("Tilt", "deg", tilt_deg, kTiltBin_deg, tolerance.tilt_rad * kDegPerRad)) +
          chart(placesChart("Where the coil's centre was", places, tolerance.lateral_mm)) +
-         chart(driftChart(session.pulses.pulses, PulseColumn::distance)) +
+         chart(driftChart(session.pulses.pulses, PulseColumn::distance)) + "</p>\n" +
          paragraphHtml(
              "Filled circle: on target. Open square: outside the tolerance. Grey cross: excluded, in "
              "no bar. Dashed: 2 mm, and the tolerance of tilt and place.");
 }
 
+/// The pictures, two side by side, each over its caption.
 std::string picturesPart(const ReportOptions& options, SessionReport& report) {
   if (options.pictures.empty()) return {};
-  std::string html = headingHtml("Where the pulses went");
-  for (const ReportPicture& picture : options.pictures)
-    html += placed({std::nullopt, picture.image}, report) + paragraphHtml(picture.caption);
-  return html;
+  std::string html = headingHtml("Where the pulses went") + "<table class=\"pictures\">\n";
+  for (std::size_t i = 0; i < options.pictures.size(); ++i) {
+    const ReportPicture& picture = options.pictures[i];
+    html += (i % 2 == 0 ? "<tr><td>" : "<td>") + placed({std::nullopt, picture.image}, report) +
+            paragraphHtml(picture.caption) + "</td>";
+    if (i % 2 == 1 || i + 1 == options.pictures.size()) html += "</tr>\n";
+  }
+  return html + "</table>\n";
 }
 
 std::string exceptionsPart(const casefile::KeptSession& session) {
@@ -240,23 +286,24 @@ std::string exceptionsPart(const casefile::KeptSession& session) {
     const bool is_excluded = reviewed.is_excluded;
     if (!is_excluded && pulse.status == casefile::PulseStatus::on_target) continue;
     if (++all <= kMostRows)
-      rows.push_back({formatted("%d", pulse.number), pulse.utc,
+      rows.push_back({formatted("%d", pulse.number), localClock(pulse.utc),
                       is_excluded ? "excluded" : toString(pulse.status),
                       is_excluded ? reviewed.note : pulse.reason});
   }
   if (rows.empty()) return {};
   return headingHtml("Pulses not on target, or excluded") +
-         tableHtml({"pulse", "time (UTC)", "status", "reason"}, rows) +
+         tableHtml({"pulse", "time", "status", "reason"}, rows) +
          (all > kMostRows ? paragraphHtml(formatted("%zu more: see pulses.csv.", all - kMostRows)) : "");
 }
 
 std::string eventsPart(const casefile::KeptSession& session) {
   std::vector<TableRow> rows;
   for (const auto& event : session.events)
-    if (rows.size() < kMostRows) rows.push_back({event.utc, event.event, withoutFolders(event.detail)});
+    if (rows.size() < kMostRows)
+      rows.push_back({localClock(event.utc), event.event, withoutFolders(event.detail)});
   if (rows.empty()) return {};
   const std::size_t more = session.events.size() - rows.size();
-  return headingHtml("Events") + tableHtml({"time (UTC)", "event", "detail"}, rows) +
+  return headingHtml("Events") + tableHtml({"time", "event", "detail"}, rows) +
          (more > 0 ? paragraphHtml(formatted("%zu more: see events.jsonl.", more)) : "");
 }
 

@@ -6,6 +6,8 @@
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/utc_time.h"
+#include "facenav/core/without_folders.h"
+#include "facenav/report/session_notes.h"
 
 namespace facenav::report {
 namespace {
@@ -22,7 +24,7 @@ std::string startOf(const std::string& name) {
 }
 
 void countPulses(const casefile::SessionPulses& session, SessionSummary& summary) {
-  std::vector<double> distance_mm, tilt_deg, error_mm;
+  std::vector<double> distance_mm, tilt_deg, error_mm, bound_mm;
   for (const auto& [pulse, is_excluded, note] : session.pulses) {
     ++summary.pulses;
     if (is_excluded) {
@@ -32,8 +34,10 @@ void countPulses(const casefile::SessionPulses& session, SessionSummary& summary
     summary.on_target += pulse.status == casefile::PulseStatus::on_target;
     summary.outside += pulse.status == casefile::PulseStatus::outside;
     summary.lost += pulse.status == casefile::PulseStatus::lost;
+    summary.in_pause += pulse.is_in_pause;
     summary.meps += pulse.mep_uv.has_value();
     if (pulse.predicted_error_mm) error_mm.push_back(*pulse.predicted_error_mm);
+    if (pulse.error_bound_mm) bound_mm.push_back(*pulse.error_bound_mm);
     if (!pulse.offset) continue;
     distance_mm.push_back(pulse.offset->distance_mm);
     tilt_deg.push_back(pulse.offset->tilt_deg);
@@ -41,6 +45,7 @@ void countPulses(const casefile::SessionPulses& session, SessionSummary& summary
   summary.distance_mm = spreadOf(std::move(distance_mm));
   summary.tilt_deg = spreadOf(std::move(tilt_deg));
   if (!error_mm.empty()) summary.predicted_error_mm = median(error_mm);
+  if (!bound_mm.empty()) summary.error_bound_mm = median(bound_mm);
 }
 
 /// Largest step of the time of day against the monotonic clock, which nobody can set.
@@ -58,6 +63,22 @@ std::optional<double> clockStep_s(const casefile::SessionPulses& session) {
   return largest_s;
 }
 
+/// Describes the end. A session that a fault stopped, or that ended with its window, has not ended normally.
+void describeEnd(const std::vector<casefile::SessionEvent>& events, SessionSummary& summary) {
+  std::string fault, why;  // fault: the last one from which the session did not recover
+  for (const auto& e : events) {
+    if (e.event == "fault") fault = withoutFolders(e.detail);
+    if (e.event == "face found" || e.event == "cameras back" || e.event == "session continued") fault.clear();
+    if (e.event != "session ended" && e.event != "session continued") continue;  // the last one counts
+    summary.has_ended = e.event == "session ended";
+    why = e.detail;
+  }
+  summary.end = !summary.has_ended ? "not ended: it still runs, or it was cut off"
+                : !fault.empty()   ? "stopped by a fault: " + fault
+                : !why.empty()     ? "ended, but not by the operator: " + why
+                                   : "ended normally";
+}
+
 void countEvents(const std::vector<casefile::SessionEvent>& events, SessionSummary& summary) {
   const auto count = [&](const char* name) {
     return int(std::count_if(events.begin(), events.end(), [&](const auto& e) { return e.event == name; }));
@@ -71,9 +92,12 @@ void countEvents(const std::vector<casefile::SessionEvent>& events, SessionSumma
   summary.is_at_home |= count("at home") > 0;
   for (const auto& e : events) {
     if (e.event == "alignment") summary.alignment = e.detail;
-    if (e.event == "session ended" || e.event == "session continued")  // the last one counts
-      summary.has_ended = e.event == "session ended";
+    auto& cautions = summary.alignment_cautions;
+    if (e.event == session_events::kAlignmentCaution &&
+        std::find(cautions.begin(), cautions.end(), e.detail) == cautions.end())
+      cautions.push_back(e.detail);
   }
+  describeEnd(events, summary);
 }
 
 }  // namespace
@@ -89,6 +113,8 @@ SessionSummary summarise(const casefile::KeptSession& session) {
   summary.name = session.name;
   summary.started_utc = startOf(session.name);
   summary.duration_s = session.duration_s;
+  summary.paused_s = session.paused_s;
+  summary.away_s = session.away_s;
   summary.is_at_home = session.returned_utc.has_value();
   countPulses(session.pulses, summary);
   countEvents(session.events, summary);

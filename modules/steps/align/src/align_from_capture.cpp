@@ -188,14 +188,13 @@ void conclude(const cameras::StereoRig& rig, const AlignmentSetup& setup, const 
   outcome.regions = registration::fitByRegion(*outcome.scalp, outcome.face.cloud, outcome.result);
   outcome.reference = makeReference(plain, outcome.face, outcome.result);
   outcome.skin = std::make_shared<const surface::ScalpSurface>(setup.scalp);
+  outcome.coil = setup.coil;
   for (const auto& target : setup.targets) {
     // The coil rests on the MRI's skin, so an uncertain skin makes the coil's position uncertain.
-    constexpr double kUnsure_mm = 0.5, kBound = 1.96;
+    constexpr double kUnsure_mm = 0.5;
     const double skin_mm = surface::skinDoubtUnder_mm(setup.scalp, target.scalp_point);
     outcome.predicted_tre_mm[target.name] = outcome.predictedError_mm(target);
-    outcome.predicted_tre_p95_mm[target.name] =
-        std::hypot(outcome.result.coilErrorBound_mm(target.cortex_point, markerAt(target, setup.coil)),
-                   kBound * skin_mm);
+    outcome.predicted_tre_p95_mm[target.name] = outcome.errorBound_mm(target);
     if (skin_mm > kUnsure_mm)
       outcome.result.cautions.push_back(formatted(
           "the skin at %s is unsure by %.1f mm (pads or haze in the scan): check the coil's gap there",
@@ -232,6 +231,12 @@ std::vector<Point<Mri>> markerAt(const guidance::Target& target, const coil_trac
 double AlignmentOutcome::predictedError_mm(const guidance::Target& target) const {
   const double skin_mm = skin ? surface::skinDoubtUnder_mm(*skin, target.scalp_point) : 0.0;
   return std::hypot(result.predictedError_mm(target.cortex_point), skin_mm);
+}
+
+double AlignmentOutcome::errorBound_mm(const guidance::Target& target) const {
+  constexpr double kBound = 1.96;  // standard errors of the skin
+  const double skin_mm = skin ? surface::skinDoubtUnder_mm(*skin, target.scalp_point) : 0.0;
+  return std::hypot(result.coilErrorBound_mm(target.cortex_point, markerAt(target, coil)), kBound * skin_mm);
 }
 
 double AlignmentOutcome::worstPredicted_mm() const {

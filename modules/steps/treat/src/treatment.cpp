@@ -3,7 +3,6 @@
 #include "facenav/capture/returning_cameras.h"
 #include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/face_looks.h"
-#include "facenav/casefile/session_so_far.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
@@ -58,6 +57,8 @@ void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const
   if (request.coil_reminder) log.addEvent("coil calibration", *request.coil_reminder);
   if (request.focus_caution) log.addEvent("coil focus", *request.focus_caution);
   log.addEvent("alignment", alignmentWords(*request.alignment, target));
+  for (const auto& caution : request.alignment->result.cautions)
+    log.addEvent(report::session_events::kAlignmentCaution, caution);
 }
 
 }  // namespace
@@ -105,14 +106,16 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
 }
 
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
-  std::string words =
-      formatted("aligned: %.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
-  if (target) words += formatted(", \u00b1%.1f mm at ", alignment.predictedError_mm(*target)) + target->name;
-  return words;
+  const std::string fit =
+      formatted("%.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
+  const double bound_mm = target ? alignment.errorBound_mm(*target) : 0.0;
+  if (!(bound_mm > 0)) return "aligned: " + fit;
+  return formatted("aligned: 95 %% within %.1f mm at ", bound_mm) + target->name + " (" + fit + ")";
 }
 
 session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment) {
-  return {target, alignment ? alignment->predictedError_mm(target) : 0.0};
+  if (!alignment) return {target};
+  return {target, alignment->predictedError_mm(target), alignment->errorBound_mm(target)};
 }
 
 Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::ChosenTarget>& target)
@@ -128,7 +131,6 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   session_ =
       std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
   const auto& goes_on = prepared.request.goes_on;
-  if (!goes_on.empty()) is_paused_ = casefile::sessionSoFar(goes_on).is_paused;
   log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
                                                  session::TreatmentLogOptions{rig_, goes_on});
   if (!goes_on.empty() || prepared.request.is_checked_first) session_->checkRegistration(true);
@@ -195,19 +197,7 @@ void Treatment::setIntensity(std::optional<double> intensity_pct) {
   intensity_pct_ = intensity_pct.value_or(-1);
 }
 
-void Treatment::pause(const std::string& reason) {
-  if (is_paused_) return;
-  is_paused_ = true;
-  log_->addEvent(report::session_events::kPause, reason);
-}
-
-void Treatment::resume() {
-  if (!is_paused_) return;
-  is_paused_ = false;
-  log_->addEvent(report::session_events::kResume);
-}
-
-Treatment::~Treatment() { end(); }
+Treatment::~Treatment() { end("the program was closed"); }
 
 void Treatment::chooseTarget(const std::optional<session::ChosenTarget>& target, const std::string& name) {
   session_->setTarget(target);
@@ -267,8 +257,9 @@ bool Treatment::isCheckDue() {
   return Timestamp::now() - checked_ > 60 * settingsOf<monitoring::RegistrationCheckRules>().ask_after_min;
 }
 
-void Treatment::end() {
+void Treatment::end(const std::string& why) {
   if (!session_) return;
+  log_->endWith(why);
   keyboard_.stop();
   sources_.clear();
   const CamerasLearnt learnt = learntOf(*session_->latest(), rig_);

@@ -1,5 +1,5 @@
 #pragma once
-// A pulse message of another program: {"pulse": true}, optionally with "intensity_pct".
+// A pulse message of another program: {"pulse": true} (or a number above 0), optionally with "intensity_pct".
 
 #include <optional>
 #include <string>

@@ -2,12 +2,15 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include "facenav/casefile/pulse_file.h"
 #include "facenav/casefile/session_log.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/report/local_time.h"
 #include "facenav/report/session_report.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
@@ -115,6 +118,80 @@ TEST_F(SessionReviewTest, TheReportNamesNobodyUnlessAsked) {
   EXPECT_THAT(page, HasSubstr("cannot be read: 000005.png, check the disk"));
   EXPECT_THAT(page, Not(HasSubstr("Doe")));
   EXPECT_THAT(report({true}), HasSubstr("Jane Doe"));
+}
+
+/// A session of pulses at these times by the steady clock. The recording's clock runs 8.5 times slower, as a
+/// slow machine plays it.
+std::string reportOf(const std::vector<double>& times_s, const std::vector<std::string>& events = {}) {
+  const testing::TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", testing::ballCase(), {}, false);
+  casefile::SessionLog log(store.folder());
+  log.addEvent("session started");
+  for (const auto& event : events)
+    log.addEvent(event.substr(0, event.find('=')), event.substr(event.find('=') + 1));
+  casefile::PulseFile pulses(log.folder());
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    auto pulse = casefile::madePulse(int(i) + 1);
+    pulse.steady_s = 5000.0 + times_s[i];
+    pulse.t_s = 10.0 + times_s[i] / 8.5;
+    pulse.error_bound_mm = 5.2;
+    pulses.keep(pulse);
+  }
+  return report::sessionReport(store, casefile::readSession(log.folder()));
+}
+
+TEST(SessionReview, TrainsHaveTheFrequencyAtWhichPulsesWereGiven) {
+  std::vector<double> times_s;
+  for (int train = 0; train < 3; ++train)
+    for (int i = 0; i < 12; ++i) times_s.push_back(20.0 * train + i / 2.4);
+  const std::string page = reportOf(times_s);
+  EXPECT_THAT(page, HasSubstr("3 trains, 12.0 pulses each on average, 2.4 Hz, pauses of 15.4 s"));
+}
+
+TEST(SessionReview, SinglePulsesAreNoTrains) {
+  EXPECT_THAT(reportOf({0, 5, 10, 15}), HasSubstr("<td>4 single pulses</td>"));
+  const std::string mixed = reportOf({0, 5, 5.1, 5.2, 20});
+  EXPECT_THAT(mixed, HasSubstr("1 train, 3.0 pulses each on average, 10.0 Hz; 2 single pulses"));
+}
+
+TEST(SessionReview, TheAlignmentsBoundAndCautionsAreInTheReport) {
+  const std::string page = reportOf({0}, {"alignment caution=a camera may have turned"});
+  EXPECT_THAT(page, HasSubstr("95 % within 5.2 mm"));
+  EXPECT_THAT(page, HasSubstr("a camera may have turned"));
+  EXPECT_THAT(page, Not(HasSubstr("standard error")));
+}
+
+TEST(SessionReview, EndedNormallyOnlyIfItDid) {
+  EXPECT_THAT(reportOf({0}, {"session ended="}), HasSubstr("ended normally"));
+  for (const auto& [events, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{}, "not ended"},
+           {{"fault=the disk is gone", "session ended="}, "stopped by a fault: the disk is gone"},
+           {{"session ended=the window was closed"}, "not by the operator: the window was closed"},
+           {{"session ended=", "session continued=after 1 pulses"}, "not ended"}}) {
+    const std::string page = reportOf({0}, events);
+    EXPECT_THAT(page, HasSubstr(words));
+    EXPECT_THAT(page, Not(HasSubstr("ended normally")));
+  }
+  EXPECT_THAT(reportOf({0}, {"fault=no picture", "face found=", "session ended="}),
+              HasSubstr("ended normally"))
+      << "it had recovered";
+}
+
+TEST(SessionReview, TimesOfDayAreLocal) {
+  ::setenv("TZ", "Asia/Tokyo", 1);
+  ::tzset();
+  for (const char* utc :
+       {"2026-11-23T14:05:09.123Z", "2026-11-23T14:05:09Z", "20261123T140509Z", "20261123T140509Z_2"})
+    EXPECT_EQ(report::localTimeAndZone(utc), "2026-11-23 23:05:09 (UTC+0900)") << utc;
+  EXPECT_EQ(report::localClock("20261123T140509Z"), "23:05:09");
+  EXPECT_EQ(report::localTime("no time"), "no time");
+  ::unsetenv("TZ");
+  ::tzset();
+}
+
+TEST(SessionReview, PausesAreListedWithReasonAndLength) {
+  EXPECT_THAT(reportOf({0}, {"pause=coil too warm", "resume=", "pause length=151 s", "pause=equipment"}),
+              HasSubstr("coil too warm (151 s); equipment (not ended)"));
 }
 
 TEST_F(SessionReviewTest, TheReportIsKeptWithTheSessionForThisUserOnly) {

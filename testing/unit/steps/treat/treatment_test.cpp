@@ -9,6 +9,7 @@
 #include "facenav/casefile/sign_off.h"
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
 #include "support/ball_case.h"
 #include "support/test_data.h"
 #include "unit/treat/session/session_fakes.h"
@@ -115,7 +116,7 @@ TEST_F(TreatmentTest, PulsesOfTheKeyAndOfTheNetworkAreKeptWithSourceIntensityAnd
   std::string events;
   for (const auto& event : session.events) events += event.event + ": " + event.detail + "\n";
   EXPECT_THAT(events, HasSubstr("pulse source: udp:127.0.0.1:38911: listening"));
-  EXPECT_THAT(events, HasSubstr("pause: coil too warm\nresume: \n"));
+  EXPECT_THAT(events, HasSubstr("pause: coil too warm\nresume: \npause length: 0 s\n"));
   EXPECT_THAT(events, ::testing::Not(HasSubstr("double trigger")));
 }
 
@@ -228,6 +229,32 @@ TEST_F(TreatmentTest, ItsReportFollowsItsEnd) {
 TEST_F(TreatmentTest, TheAlignmentIsSaidWithTheTargetAndWithout) {
   const auto words = alignmentWords(*request().alignment, nullptr);
   EXPECT_EQ(words, "aligned: 0.00 mm rms over 0 points");
+  AlignmentOutcome known = *request().alignment;
+  known.result.covariance = Matrix6d::Zero();
+  known.result.covariance.bottomRightCorner<3, 3>() = 0.09 * Eigen::Matrix3d::Identity();
+  known.result.freedom = 1e6;
+  const auto target = fakes::targetAt(kMarker.reframe<Camera, Coil>()).target;
+  // Three equal axes of 0.3 mm: 95 % of the lengths are within 0.3 times the root of chi square's 7.815.
+  EXPECT_NEAR(known.errorBound_mm(target), 0.3 * std::sqrt(7.815), 0.01);
+  EXPECT_EQ(alignmentWords(known, &target),
+            "aligned: 95 % within 0.8 mm at spot (0.00 mm rms over 0 points)");
+  EXPECT_NEAR(chosenTarget(target, &known).error_bound_mm, 0.839, 0.01);
+}
+
+TEST_F(TreatmentTest, CautionsOfTheAlignmentAndAnUnaskedEndAreInTheReport) {
+  casefile::signOff(store_, {"XY", "", true});
+  auto asked = request();
+  auto alignment = std::make_shared<AlignmentOutcome>(*asked.alignment);
+  alignment->result.cautions = {"the skin at M1 is unsure by 0.9 mm"};
+  asked.alignment = alignment;
+  Treatment treatment(prepareTreatment(asked, devices()), fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+  waitFor([&] { return treatment.session().latest()->frame >= 2; });
+  treatment.end("the window was closed");
+  treatment.keepReport();
+  const std::string report = readWholeFile(kept().folder / "report.html");
+  EXPECT_THAT(report, HasSubstr("the skin at M1 is unsure by 0.9 mm"));
+  EXPECT_THAT(report, HasSubstr("ended, but not by the operator: the window was closed"));
+  EXPECT_THAT(report, ::testing::Not(HasSubstr("ended normally")));
 }
 
 }  // namespace

@@ -58,6 +58,19 @@ TEST(PulseSources, TheKeyboardKeepsTheContract) {
       source, [&] { source.press(); }, kByHand_s);
 }
 
+TEST(PulseSources, APressThatIsHandledLateHasTheTimeOfThePress) {
+  KeyboardSource source;
+  HeardPulses heard;
+  source.start(heard.listener());
+  const Timestamp now = Timestamp::now();
+  for (const double age_s : {3.0, 2.0, 1.0, 0.0}) source.press({now.s - age_s});
+  const auto triggers = heard.triggers();
+  ASSERT_EQ(triggers.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(triggers[i].at.s, now.s - 3.0 + double(i), 1e-6);
+  const std::chrono::duration<double> apart = triggers[3].utc - triggers[0].utc;
+  EXPECT_NEAR(apart.count(), 3.0, 0.05);
+}
+
 TEST(PulseSources, UdpKeepsTheContract) {
   const int port = freePort(SOCK_DGRAM);
   const auto source = openPulseSource("udp:127.0.0.1:" + std::to_string(port));
@@ -285,7 +298,9 @@ TEST(PulseSources, AMessageThatIsNoPulseIsSaidAndNotCounted) {
   HeardPulses heard;
   source->start(heard.listener());
   const Sender sender(SOCK_DGRAM, port);
-  for (const char* text : {"", "pulse", "[1]", R"({"pulse": false})", R"({"armed": true})", "\xff\xfe{"})
+  for (const char* text : {"", "pulse", "[1]", R"({"pulse": false})", R"({"armed": true})", "\xff\xfe{",
+                           R"({"pulse": "maybe"})", R"({"pulse": 0})", R"({"pulse": -1})", R"({"pulse": []})",
+                           R"({"pulse": {}})", R"({"pulse": null})", R"({"pulse": "true"})"})
     sender.send(text);
   sender.send(R"({"pulse": true, "intensity_pct": 55.5})");
   ASSERT_TRUE(heard.waitFor(1));

@@ -137,7 +137,7 @@ TEST(NavigationState, NamesAllThatIsLostInWordsAndNotInCodes) {
   state.head = Lost{LostReason::few_features};
   state.head_detail = head_tracking::LossDetail::covered;
   state.coil = Lost{LostReason::no_marker};
-  EXPECT_EQ(lossTitles(state), (std::vector<std::string>{"FACE COVERED", "COIL NOT SEEN"}));
+  EXPECT_EQ(lossTitles(state), (std::vector<std::string>{"FACE COVERED OR TURNED AWAY", "COIL NOT SEEN"}));
   EXPECT_EQ(lossTitles(blanked(state, LostReason::stale)), std::vector<std::string>{"NO NEW IMAGES"});
 }
 

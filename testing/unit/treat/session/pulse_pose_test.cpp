@@ -68,6 +68,17 @@ TEST(PulsePose, OutsideTheToleranceSaysWhatWasOff) {
   EXPECT_NEAR(pulse.offset->lateral_mm, 3.4, 1e-9);
 }
 
+TEST(PulsePose, InAPauseThePoseIsKeptAndNothingIsOnTarget) {
+  PulseTrigger trigger = triggerAt(2000.02);
+  trigger.is_in_pause = true;
+  const auto pulse = pulseBetween(trigger, frameAt(1, 2000.0), frameAt(2, 2000.04));
+  EXPECT_EQ(pulse.status, PulseStatus::outside);
+  EXPECT_EQ(pulse.reason, "given in a pause");
+  EXPECT_TRUE(pulse.mri_T_coil());
+  const auto off = pulseBetween(trigger, frameAt(1, 2000.0, 3.4), frameAt(2, 2000.04, 3.4));
+  EXPECT_EQ(off.reason, "given in a pause; 3.4 mm beside the target (2.0 allowed)");
+}
+
 TEST(PulsePose, LostOnOneSideOnlyIsLostAndSaysWhy) {
   for (const bool is_before : {true, false}) {
     PosedFrame before = frameAt(1, 2000.0), after = frameAt(2, 2000.04);
@@ -123,7 +134,7 @@ TEST(PulsePose, AFramesLossIsNamedAsTheWindowNamesIt) {
   state.is_aligned = true;
   state.head = Lost{LostReason::few_features};
   state.head_detail = head_tracking::LossDetail::covered;
-  EXPECT_EQ(posedFrame(state).loss, "face covered");
+  EXPECT_EQ(posedFrame(state).loss, "face covered or turned away");
 }
 
 registration::SkinModel ballSkin(double radius_mm, const Eigen::Vector3d& centre_mm) {

@@ -7,8 +7,10 @@
 #include <set>
 
 #include "facenav/casefile/evidence.h"
+#include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/poses_csv.h"
 #include "facenav/casefile/session_pulses.h"
+#include "facenav/casefile/twitches.h"
 #include "session_fakes.h"
 #include "support/test_data.h"
 
@@ -136,6 +138,108 @@ TEST(TreatmentLog, ARecordingThatIsStoppedHasNotEnded) {
   }
   EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("session ended"));
   EXPECT_THAT(contentOf(place / "events.jsonl"), Not(HasSubstr("recording ended")));
+}
+
+TEST(TreatmentLog, PulsesInAPauseAreKeptMarkedAndNeverOnTarget) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path());
+    place = log.folder();
+    running->start();
+    while (running->latest()->frame < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    log.addPulse({"a"});
+    log.pause("coil too warm");
+    log.pause("again");  // nothing: it is paused
+    EXPECT_EQ(log.pauses().reason(), "coil too warm");
+    const double held_s = log.treated_s();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    log.addPulse({"b"});
+    EXPECT_NEAR(log.treated_s(), held_s, 0.05) << "the clock holds";
+    log.resume();
+    log.addPulse({"c"});
+    while (log.pulses() < 3) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(log.counts().on_target, 2);
+    EXPECT_EQ(log.counts().outside, 1);
+  }
+  const auto pulses = casefile::readSessionPulses(place).pulses;
+  ASSERT_EQ(pulses.size(), 3u);
+  EXPECT_FALSE(pulses[0].pulse.is_in_pause);
+  EXPECT_TRUE(pulses[1].pulse.is_in_pause);
+  EXPECT_EQ(pulses[1].pulse.reason, "given in a pause");
+  EXPECT_TRUE(pulses[1].pulse.mri_T_coil()) << "its pose is kept";
+  EXPECT_FALSE(pulses[2].pulse.is_in_pause);
+  EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("\"pause\",\"detail\":\"coil too warm\""));
+  const auto times = casefile::readSessionTimes(place);
+  ASSERT_TRUE(times);
+  EXPECT_NEAR(times->paused_s, 0.2, 0.1);
+  EXPECT_NEAR(times->guided.total_s(), times->running_s - times->paused_s, 0.15);
+}
+
+TEST(TreatmentLog, OneAnswerAPulseAndOneThatIsTakenBackCanBeGivenAgain) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path());
+    place = log.folder();
+    running->start();
+    while (running->latest()->frame < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(log.openPulse());
+    EXPECT_FALSE(log.answerPulse(true)) << "there is no pulse";
+    PulseTrigger trigger{"a"};
+    trigger.intensity_pct = 48;
+    log.addPulse(trigger);
+    ASSERT_TRUE(log.openPulse());
+    EXPECT_EQ(log.openPulse()->number, 1);
+    EXPECT_DOUBLE_EQ(log.openPulse()->intensity_pct.value(), 48);
+    EXPECT_TRUE(log.answerPulse(true));
+    EXPECT_FALSE(log.answerPulse(true)) << "a bounced key";
+    EXPECT_FALSE(log.answerPulse(120.0));
+    EXPECT_TRUE(log.takeBackAnswer());
+    EXPECT_TRUE(log.answerPulse(120.0));
+    log.addPulse({"b"});
+    EXPECT_TRUE(log.answerPulse(true));
+    EXPECT_TRUE(log.takeBackAnswer());
+  }
+  EXPECT_TRUE(casefile::readTwitches(place).empty()) << "both were taken back";
+  EXPECT_DOUBLE_EQ(casefile::readSessionPulses(place).pulses[0].pulse.mep_uv.value(), 120);
+}
+
+TEST(TreatmentLog, TimeInWhichTheProgramDidNotRunIsNeitherGuidedNorRunning) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place, second;
+  const auto play = [&](const std::filesystem::path& goes_on) {
+    auto running = session();
+    TreatmentLog log(running, folder.path(), nullptr, {{}, goes_on});
+    place = log.folder();
+    running->start();
+    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  play({});
+  const auto once = casefile::readSession(place);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  play(place);
+  const auto twice = casefile::readSession(place);
+  EXPECT_NEAR(*twice.duration_s, 2 * *once.duration_s, 0.3);
+  EXPECT_NEAR(twice.guided->total_s(), 2 * once.guided->total_s(), 0.3);
+  EXPECT_NEAR(twice.guided->lost_s, 2 * 0.02 * (kLostTo - kLostFrom), 0.1);
+  EXPECT_GT(*twice.away_s, 1.3);
+}
+
+TEST(TreatmentLog, AnEndThatNobodyAskedForIsSaid) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::path place;
+  {
+    auto running = session();
+    TreatmentLog log(running, folder.path());
+    place = log.folder();
+    running->start();
+    running->stop();
+    log.endWith("the window was closed");
+  }
+  EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("\"detail\":\"the window was closed\""));
 }
 
 TEST(TreatmentLog, KeepsTheSessionThatItsThreadReads) {

@@ -10,6 +10,7 @@ namespace facenav::casefile {
 namespace {
 
 constexpr double kLongestGap_s = 0.25;        // as session::SessionOptions::age_limit_s
+constexpr double kBreak_s = 1.0;              // the program did not run, paused, or had no target
 constexpr std::streamoff kTail_bytes = 4096;  // many lines
 
 void add(GuidedTime& time, const std::string& state, double step_s) {
@@ -18,7 +19,7 @@ void add(GuidedTime& time, const std::string& state, double step_s) {
                      : state == "adjust"  ? time.adjust_s
                                           : time.lost_s;
   of_state += known_s;
-  time.lost_s += step_s - known_s;
+  if (step_s < kBreak_s) time.lost_s += step_s - known_s;
 }
 
 }  // namespace

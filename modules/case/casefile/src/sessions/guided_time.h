@@ -9,8 +9,9 @@
 
 namespace facenav::casefile {
 
-/// Computes the times by state. Nothing if the file is missing, lacks the columns or has fewer than two
-/// frames. Lines cut short are left out.
+/// Computes the times by state. Between two frames a state holds for 0.25 s; the rest counts as lost, and a
+/// rest of a second or more as not guided. Nothing if the file is missing, lacks the columns or has fewer
+/// than two frames. Lines cut short are left out.
 std::optional<GuidedTime> readGuidedTime(const std::filesystem::path& guidance_csv);
 /// Time from the first to the last frame, s; reads only both ends of the file. Nothing as above.
 std::optional<double> readDuration_s(const std::filesystem::path& poses_csv);

@@ -30,6 +30,20 @@ void readEvents(const fs::path& file, std::vector<SessionEvent>& events, std::ve
 constexpr const char* kEvents = "events.jsonl";
 constexpr const char* kNotes = "notes.jsonl";
 
+/// Reads how long the session ran and guided; for an older session, from its tables.
+void readTimes(const fs::path& session_folder, KeptSession& session) {
+  const auto times = readSessionTimes(session_folder);
+  if (!times) {
+    session.duration_s = readDuration_s(session_folder / "poses.csv");
+    session.guided = readGuidedTime(session_folder / "guidance.csv");
+    return;
+  }
+  session.duration_s = times->running_s;
+  session.paused_s = times->paused_s;
+  session.away_s = times->away_s;
+  if (times->guided.total_s() > 0) session.guided = times->guided;
+}
+
 /// Reads the times of an imported session. A damaged file leaves them absent; the session is still read.
 void readReturned(const fs::path& file, KeptSession& session) {
   if (!fs::exists(file)) return;
@@ -107,8 +121,7 @@ KeptSession readSession(const fs::path& session_folder) {
   // Keeps each file's own order, which is that of the events even if the clock was set back.
   std::merge(events.begin(), events.end(), notes.begin(), notes.end(), std::back_inserter(session.events),
              [](const SessionEvent& a, const SessionEvent& b) { return a.utc < b.utc; });
-  session.duration_s = readDuration_s(session_folder / "poses.csv");
-  session.guided = readGuidedTime(session_folder / "guidance.csv");
+  readTimes(session_folder, session);
   readReturned(session_folder / kReturnedFile, session);
   return session;
 }

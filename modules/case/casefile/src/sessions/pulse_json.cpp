@@ -60,6 +60,7 @@ void visitNumbers(PulseType& pulse, Visitor&& visit) {
   visit("mep_uv", pulse.mep_uv);
   visit("latency_ms", pulse.latency_ms);
   visit("gap_stereo_mm", pulse.gap_stereo_mm);
+  visit("error_bound_mm", pulse.error_bound_mm);
 }
 
 void addOffset(const PulseOffset& offset, Json& json) {
@@ -109,6 +110,7 @@ std::string toJsonLine(const Pulse& pulse) {
   json["source"] = pulse.source;
   json["status"] = toString(pulse.status);
   json["reason"] = pulse.reason;
+  if (pulse.is_in_pause) json["in_pause"] = 1;
   if (!pulse.coil.empty()) json["coil"] = pulse.coil;
   if (pulse.target) json["target"] = targetOf(*pulse.target);
   if (pulse.camera_T_mri) json["camera_T_mri"] = matrixOf(*pulse.camera_T_mri);
@@ -133,6 +135,7 @@ Pulse pulseFrom(const JsonReader& line) {
   pulse.source = line.at("source").text();
   pulse.status = pulseStatusFrom(line.at("status").text());
   pulse.reason = line.at("reason").text();
+  pulse.is_in_pause = line.has("in_pause") && line.at("in_pause").integer() != 0;
   if (line.has("coil")) pulse.coil = line.at("coil").text();
   if (line.has("target")) pulse.target = targetFrom(line.at("target"));
   if (line.has("camera_T_mri")) pulse.camera_T_mri = transformFrom<Camera, Mri>(line.at("camera_T_mri"));

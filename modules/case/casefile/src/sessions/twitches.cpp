@@ -11,14 +11,15 @@ namespace facenav::casefile {
 namespace {
 
 constexpr const char* kPulseEdits = "pulse_edits.jsonl";
+constexpr const char* kTakenBack = "twitch taken back";
 
 }  // namespace
 
-void keepTwitch(const std::filesystem::path& session_folder, int pulse, bool has_twitched) {
-  const nlohmann::ordered_json line{{"utc", isoUtc(std::chrono::system_clock::now())},
-                                    {"pulse", pulse},
-                                    {"change", "twitch"},
-                                    {"twitch", has_twitched ? 1 : 0}};
+void keepTwitch(const std::filesystem::path& session_folder, int pulse, std::optional<bool> has_twitched) {
+  nlohmann::ordered_json line{{"utc", isoUtc(std::chrono::system_clock::now())},
+                              {"pulse", pulse},
+                              {"change", has_twitched ? "twitch" : kTakenBack}};
+  if (has_twitched) line["twitch"] = *has_twitched ? 1 : 0;
   AppendedFile file(session_folder / kPulseEdits, "", AppendedFile::Start::old_or_fresh);
   file.append(line.dump() + "\n");
   file.sync();
@@ -28,8 +29,9 @@ std::map<int, bool> readTwitches(const std::filesystem::path& session_folder) {
   std::map<int, bool> twitches;
   for (const JsonReader& line : readJsonLines(session_folder / kPulseEdits).lines) {
     try {
-      if (line.at("change").text() == "twitch")
-        twitches[line.at("pulse").integer()] = line.at("twitch").integer() != 0;
+      const std::string change = line.at("change").text();
+      if (change == "twitch") twitches[line.at("pulse").integer()] = line.at("twitch").integer() != 0;
+      if (change == kTakenBack) twitches.erase(line.at("pulse").integer());
     } catch (const Error&) {  // another reader names damaged lines (session_pulses.h)
     }
   }

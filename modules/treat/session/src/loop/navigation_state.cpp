@@ -10,7 +10,7 @@ std::string detailWords(LossDetail detail) {
     case LossDetail::not_found:
       return "FACE NOT FOUND: turn the face towards the cameras";
     case LossDetail::covered:
-      return "FACE COVERED: move the coil or hand aside";
+      return "FACE COVERED OR TURNED AWAY: move coil and hand aside, face the cameras";
     case LossDetail::too_far:
       return "FACE TOO FAR AWAY: come nearer to the cameras";
     case LossDetail::blurred:

@@ -16,7 +16,8 @@
 namespace facenav::session {
 namespace {
 
-constexpr std::size_t kFramesKept = 64;  // a second's worth at 60 frames/s; a pulse waits up to half a second
+// Ten seconds at 60 frames/s: a busy window handles a key that much later than it was pressed.
+constexpr std::size_t kFramesKept = 600;
 constexpr double kRetry_s = 0.5;
 
 struct Waiting {
@@ -51,6 +52,7 @@ struct PulseKeeper::Implementation {
   int added = 0, numbered = 0, kept = 0;
   PulseCounts counts;
   std::optional<JudgedPulse> last;
+  AddedPulse newest;
   bool is_stopping = false;
   std::thread thread;
 
@@ -185,7 +187,7 @@ bool PulseKeeper::add(const PulseTrigger& trigger) {
     implementation_->last_of_source[trigger.source] = trigger.at;
     implementation_->pulses.push_back({trigger, Timestamp::now()});
     implementation_->placeReady();
-    ++implementation_->added;
+    implementation_->newest = {++implementation_->added, trigger.intensity_pct};
   }
   implementation_->changed.notify_all();
   return true;
@@ -218,6 +220,11 @@ std::optional<JudgedPulse> PulseKeeper::last() const {
 int PulseKeeper::added() const {
   std::lock_guard lock(implementation_->mutex);
   return implementation_->added;
+}
+
+AddedPulse PulseKeeper::newest() const {
+  std::lock_guard lock(implementation_->mutex);
+  return implementation_->newest;
 }
 
 int PulseKeeper::kept() const {

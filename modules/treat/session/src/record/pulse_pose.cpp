@@ -14,8 +14,7 @@
 namespace facenav::session {
 namespace {
 
-/// Returns the title of a loss without the advice: "FACE COVERED: move the coil or hand aside" -> "face
-/// covered".
+/// Returns the title of a loss without the advice: "FACE NOT FOUND: turn the face .." -> "face not found".
 std::string titleOf(const std::string& words) {
   std::string title = words.substr(0, words.find(':'));
   std::transform(title.begin(), title.end(), title.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -73,8 +72,11 @@ std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& tar
     words = formatted("gap of %.1f mm to the skin (%.1f planned, %.1f more allowed)", *pulse.gap_mm,
                       planned_mm, kMostGapBeyondPlan_mm);
   if (pulse.predicted_error_mm && *pulse.predicted_error_mm > kMostPredictedError_mm)
-    words += (words.empty() ? "" : "; ") + formatted("alignment uncertain by %.1f mm (%.1f allowed)",
-                                                     *pulse.predicted_error_mm, kMostPredictedError_mm);
+    words += (words.empty() ? "" : "; ") +
+             (pulse.error_bound_mm
+                  ? formatted("alignment too uncertain: 95 %% within %.1f mm", *pulse.error_bound_mm)
+                  : formatted("alignment uncertain by %.1f mm (%.1f allowed)", *pulse.predicted_error_mm,
+                              kMostPredictedError_mm));
   return words;
 }
 
@@ -90,6 +92,44 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
   pulse.reason = outsideWords(values, frame.tolerance);
   if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, frame.chosen->target);
   pulse.status = pulse.reason.empty() ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;
+}
+
+/// Marks a pulse that was given in a pause: nobody was guided then, so that it is never on target.
+void markPause(casefile::Pulse& pulse) {
+  if (!pulse.is_in_pause) return;
+  pulse.reason = pulse.reason.empty() ? "given in a pause" : "given in a pause; " + pulse.reason;
+  if (pulse.status == casefile::PulseStatus::on_target) pulse.status = casefile::PulseStatus::outside;
+}
+
+/// Fills what does not depend on the poses; `known`: the frame before, else the one after; may be null.
+void describe(const PulseTrigger& trigger, const PosedFrame* known, casefile::Pulse& pulse) {
+  pulse.steady_s = trigger.at.s;
+  pulse.utc = isoUtc(trigger.utc);
+  pulse.source = trigger.source;
+  pulse.intensity_pct = trigger.intensity_pct;
+  pulse.is_in_pause = trigger.is_in_pause;
+  if (!known) return;
+  pulse.coil = known->coil;
+  if (!known->chosen) return;
+  pulse.target = known->chosen->target;
+  pulse.target->note.clear();
+  if (known->chosen->predicted_error_mm > 0) pulse.predicted_error_mm = known->chosen->predicted_error_mm;
+  if (known->chosen->error_bound_mm > 0) pulse.error_bound_mm = known->chosen->error_bound_mm;
+}
+
+/// Interpolates the poses and judges the pulse; what it lacks is its reason.
+void place(const PosedFrame& before, const PosedFrame& after, const registration::ScalpField* scalp,
+           casefile::Pulse& pulse) {
+  pulse.frames = {before.frame, after.frame};
+  pulse.camera_T_mri = between(before.camera_T_mri, after.camera_T_mri, pulse.fraction);
+  pulse.camera_T_coil = between(before.camera_T_coil, after.camera_T_coil, pulse.fraction);
+  if (pulse.camera_T_mri && pulse.camera_T_coil) {
+    if (scalp) pulse.gap_mm = gapToSkin_mm(*pulse.mri_T_coil(), *scalp);
+    if (pulse.gap_mm && before.live) pulse.gap_stereo_mm = *pulse.gap_mm - before.live->above_skin_mm;
+    judge(pulse, before);
+  } else {
+    pulse.reason = before.loss.empty() ? after.loss : before.loss;
+  }
 }
 
 }  // namespace
@@ -110,30 +150,13 @@ casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<Po
   const double fraction =
       between_s > 0 ? std::clamp((trigger.at - before->taken) / between_s, 0.0, 1.0) : 0.0;
   pulse.t_s = sourceTime_s(trigger.at, before, after, fraction);
-  pulse.steady_s = trigger.at.s;
-  pulse.utc = isoUtc(trigger.utc);
-  pulse.source = trigger.source;
-  pulse.intensity_pct = trigger.intensity_pct;
-  const PosedFrame* known = before ? &*before : after ? &*after : nullptr;
-  if (known) pulse.coil = known->coil;
-  if (known && known->chosen) {
-    pulse.target = known->chosen->target;
-    pulse.target->note.clear();
-    if (known->chosen->predicted_error_mm > 0) pulse.predicted_error_mm = known->chosen->predicted_error_mm;
-  }
+  describe(trigger, before ? &*before : after ? &*after : nullptr, pulse);
   pulse.reason = missingFrames(before, after);
-  if (!pulse.reason.empty()) return pulse;  // lost
-  pulse.frames = {before->frame, after->frame};
-  pulse.fraction = fraction;
-  pulse.camera_T_mri = between(before->camera_T_mri, after->camera_T_mri, fraction);
-  pulse.camera_T_coil = between(before->camera_T_coil, after->camera_T_coil, fraction);
-  if (pulse.camera_T_mri && pulse.camera_T_coil) {
-    if (scalp) pulse.gap_mm = gapToSkin_mm(*pulse.mri_T_coil(), *scalp);
-    if (pulse.gap_mm && before->live) pulse.gap_stereo_mm = *pulse.gap_mm - before->live->above_skin_mm;
-    judge(pulse, *before);
-  } else {
-    pulse.reason = before->loss.empty() ? after->loss : before->loss;
+  if (pulse.reason.empty()) {
+    pulse.fraction = fraction;
+    place(*before, *after, scalp, pulse);
   }
+  markPause(pulse);
   return pulse;
 }
 

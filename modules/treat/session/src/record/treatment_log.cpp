@@ -9,16 +9,17 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <variant>
 
+#include "answer_keeper.h"
 #include "facenav/casefile/session_log.h"
 #include "facenav/casefile/session_pulses.h"
 #include "facenav/casefile/session_so_far.h"
-#include "facenav/casefile/twitches.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/without_folders.h"
+#include "follow_on.h"
 #include "state_changes.h"
+#include "time_keeper.h"
 
 namespace facenav::session {
 namespace {
@@ -27,18 +28,6 @@ struct Event {
   std::string name, detail;
 };
 
-struct Answer {
-  int pulse = 0;
-  std::variant<double, bool> said;  // MEP in uV, or whether the muscle twitched
-};
-
-/// Offsets added to the numbers and times of the frames, so that they continue those of the session's files.
-struct FollowOn {
-  std::int64_t frames = 0;
-  double seconds = 0;
-};
-
-constexpr double kLeastBreak_s = 1.0;  // between the frames of two runs, if no clock is shared
 constexpr double kClockStep_s = 1.0;
 constexpr double kLogRetry_s = 1.0;              // after a fault of the disk
 constexpr std::size_t kMostUnwritten = 60 * 60;  // frames that wait for the disk: a minute's worth
@@ -46,17 +35,6 @@ constexpr double kLastPulses_s = 1.0;  // at the end: wait for a frame (kLongest
 
 std::optional<casefile::SessionSoFar> soFar(const std::filesystem::path& folder) {
   return folder.empty() ? std::nullopt : std::optional(casefile::sessionSoFar(folder));
-}
-
-/// Computes the offsets. Live cameras' clock may have continued; frame numbers restart, and so does a
-/// recording's clock.
-FollowOn followOn(const casefile::SessionSoFar& so_far, const NavigationState& first) {
-  FollowOn on;
-  if (!so_far.last_frame) return on;
-  if (first.frame <= *so_far.last_frame) on.frames = *so_far.last_frame + 1;
-  if (first.captured.s <= so_far.last_t_s)
-    on.seconds = so_far.last_t_s + std::max(kLeastBreak_s, so_far.idle_s) - first.captured.s;
-  return on;
 }
 
 }  // namespace
@@ -71,9 +49,13 @@ struct TreatmentLog::Implementation {
         clock(options.clock),
         evidence(options.evidence_rig ? std::make_unique<EvidenceKeeper>(folder, *options.evidence_rig)
                                       : nullptr),
-        pulses(folder, std::move(scalp), so_far.has_value(), [this](const casefile::Pulse& pulse) {
-          if (evidence) evidence->add(pulse);
-        }) {}
+        pulses(folder, std::move(scalp), so_far.has_value(),
+               [this](const casefile::Pulse& pulse) {
+                 if (evidence) evidence->add(pulse);
+               }),
+        pauses(so_far && so_far->is_paused),
+        answers(so_far ? so_far->last_pulse : 0),
+        times(folder, so_far ? std::optional(so_far->idle_s) : std::nullopt) {}
 
   const std::shared_ptr<Session> session;
   const std::optional<casefile::SessionSoFar> so_far;  // set for a continued session
@@ -83,18 +65,21 @@ struct TreatmentLog::Implementation {
   std::atomic<bool> is_stopping{false};
   const std::unique_ptr<EvidenceKeeper> evidence;  // null: none is kept
   PulseKeeper pulses;
+  PauseTimes pauses;
+  AnswerKeeper answers;
+  const Timestamp begun = Timestamp::now();
   mutable std::mutex mutex;  // guards the members below, up to `failure`
   std::condition_variable followed;
   std::deque<std::shared_ptr<const NavigationState>> unwritten;  // the oldest first, without pictures
   std::deque<Event> events;
-  std::deque<Answer> answers;
-  std::string failure;
+  std::string failure, end_words;
   std::atomic<bool> has_followed_all{false};  // true after the session's last frame was followed
   std::thread follower;               // gives pulses and pictures their frames; never waits for the disk
   std::optional<FollowOn> follow_on;  // used only by `follower`; set by the first frame
   std::thread thread;                 // writes
   // Members used only by the writing thread.
   StateChanges changes;
+  TimeKeeper times;
   bool has_noted_end = false;
   std::string evidence_fault;
   std::optional<Timestamp> broken;  // time since which writing fails
@@ -105,9 +90,10 @@ struct TreatmentLog::Implementation {
   void run();
   std::shared_ptr<const NavigationState> nextRow();
   void writeEvents();
-  void writeAnswers();
-  bool answer(std::variant<double, bool> said);
+  void writeAll(bool is_last);
   void noteEnd();
+  std::string endWords() const;
+  Timestamp until() const { return {begun.s + session->elapsed_s()}; }
   void noteEvidence();
   void noteClock();
   std::shared_ptr<const NavigationState> asLogged(std::shared_ptr<const NavigationState> state);
@@ -125,7 +111,9 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
     const double t_s = state.captured.s;
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::head, state.camera_T_mri));
     log.add(casefile::poseRow(state.frame, t_s, casefile::PoseObject::coil, state.camera_T_coil));
-    if (!state.target.empty())
+    const bool is_paused = pauses.holds(state.taken);
+    times.follow(state, is_paused);
+    if (!state.target.empty() && !is_paused)  // no guidance is given in a pause
       log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance, state.gap});
   }
 }
@@ -177,31 +165,11 @@ void TreatmentLog::Implementation::writeEvents() {
   }
 }
 
-/// Writes the answers; an MEP waits until its pulse is in the file.
-void TreatmentLog::Implementation::writeAnswers() {
-  for (;;) {
-    Answer first;
-    {
-      std::lock_guard lock(mutex);
-      if (answers.empty()) return;
-      first = answers.front();
-    }
-    if (first.pulse > pulses.kept()) return;
-    if (const double* mep_uv = std::get_if<double>(&first.said))
-      casefile::editMeps(folder, {{first.pulse, *mep_uv, {}, "typed", ""}});
-    else
-      casefile::keepTwitch(folder, first.pulse, std::get<bool>(first.said));
-    std::lock_guard lock(mutex);
-    answers.pop_front();
-  }
-}
-
-bool TreatmentLog::Implementation::answer(std::variant<double, bool> said) {
-  const int pulse = pulses.added();
-  if (pulse == 0) return false;
-  std::lock_guard lock(mutex);
-  answers.push_back({pulse, said});
-  return true;
+/// Writes what waits besides the frames; answers wait until their pulse is in the file.
+void TreatmentLog::Implementation::writeAll(bool is_last) {
+  writeEvents();
+  answers.write(folder, pulses.kept());
+  times.keep(session->elapsed_s(), pauses.total_s(until()), is_last);
 }
 
 void TreatmentLog::Implementation::setFailure(const std::string& words) {
@@ -241,6 +209,14 @@ void TreatmentLog::Implementation::noteEnd() {
   has_noted_end = true;
 }
 
+/// Describes an end that nobody asked for; empty: a person ended the session.
+std::string TreatmentLog::Implementation::endWords() const {
+  if (session->end() == SessionEnd::fault) return "stopped by a fault";
+  if (session->end() == SessionEnd::source) return "the recording had ended";
+  std::lock_guard lock(mutex);
+  return end_words;
+}
+
 /// Waits until the last pulses are in the file, because their answers need them there.
 void TreatmentLog::Implementation::awaitPulses() const {
   const Timestamp begin = Timestamp::now();
@@ -252,10 +228,9 @@ void TreatmentLog::Implementation::end() {
   awaitPulses();
   while (const auto state = nextRow()) tried([&] { write(*state); });
   tried([this] {
-    writeEvents();
-    writeAnswers();
+    writeAll(true);
     noteEnd();
-    log.addEvent("session ended");
+    log.addEvent("session ended", endWords());
     log.sync();
   });
 }
@@ -298,8 +273,7 @@ void TreatmentLog::Implementation::run() {
     const auto state = nextRow();
     tried([&] {
       if (state) write(*state);
-      writeEvents();
-      writeAnswers();
+      writeAll(false);
       noteEvidence();
       noteClock();
       if (!state && was_all) noteEnd();
@@ -334,17 +308,53 @@ void TreatmentLog::addEvent(const std::string& event, const std::string& detail)
   implementation_->events.push_back({event, detail});
 }
 
-void TreatmentLog::addPulse(const PulseTrigger& trigger) {
+void TreatmentLog::addPulse(PulseTrigger trigger) {
+  trigger.is_in_pause = implementation_->pauses.holds(trigger.at);
   if (!implementation_->pulses.add(trigger))
     addEvent("double trigger",
              trigger.source + formatted(", within %.2f s, not counted", trigger.dead_time_s));
 }
 
-bool TreatmentLog::answerPulse(double mep_uv) {
-  return mep_uv >= 0 && mep_uv <= casefile::kLargestMep_uv && implementation_->answer(mep_uv);
+void TreatmentLog::pause(const std::string& reason) {
+  if (implementation_->pauses.begin(reason)) addEvent("pause", reason);
 }
 
-bool TreatmentLog::answerPulse(bool has_twitched) { return implementation_->answer(has_twitched); }
+void TreatmentLog::resume() {
+  const auto length_s = implementation_->pauses.end();
+  if (!length_s) return;
+  addEvent("resume");
+  addEvent("pause length", formatted("%.0f s", *length_s));
+}
+
+const PauseTimes& TreatmentLog::pauses() const { return implementation_->pauses; }
+
+double TreatmentLog::treated_s() const {
+  const auto& i = *implementation_;
+  return std::max(0.0, i.session->elapsed_s() - i.pauses.total_s(i.until()));
+}
+
+void TreatmentLog::endWith(const std::string& words) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->end_words = words;
+}
+
+int TreatmentLog::newestPulse() const { return implementation_->pulses.added(); }
+
+std::optional<AddedPulse> TreatmentLog::openPulse() const {
+  const auto newest = implementation_->pulses.newest();
+  return implementation_->answers.isOpen(newest.number) ? std::optional(newest) : std::nullopt;
+}
+
+bool TreatmentLog::answerPulse(double mep_uv) {
+  return mep_uv >= 0 && mep_uv <= casefile::kLargestMep_uv &&
+         implementation_->answers.add(implementation_->pulses.added(), mep_uv);
+}
+
+bool TreatmentLog::answerPulse(bool has_twitched) {
+  return implementation_->answers.add(implementation_->pulses.added(), has_twitched);
+}
+
+bool TreatmentLog::takeBackAnswer() { return implementation_->answers.takeBack(); }
 
 PulseCounts TreatmentLog::counts() const { return implementation_->pulses.counts(); }
 std::optional<JudgedPulse> TreatmentLog::lastPulse() const { return implementation_->pulses.last(); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "facenav/casefile/session_pulses.h"
+#include "facenav/casefile/session_times.h"
 
 namespace facenav::casefile {
 
@@ -15,20 +16,15 @@ struct SessionEvent {
   std::string utc, event, detail;
 };
 
-/// Durations by the state of guidance, from guidance.csv. A gap of more than 0.25 s between frames counts as
-/// lost, because the state is unknown then.
-struct GuidedTime {
-  double on_target_s = 0, adjust_s = 0, lost_s = 0;
-  double total_s() const { return on_target_s + adjust_s + lost_s; }
-};
-
 struct KeptSession {
   std::filesystem::path folder;
   std::string name;  // the folder's name: its start in UTC
   std::vector<SessionEvent> events;
   SessionPulses pulses;
-  std::optional<double> duration_s;  // from the first to the last frame of poses.csv
-  std::optional<GuidedTime> guided;  // absent without a target
+  /// How long it ran, s, with pauses: from times.json. Older sessions: from the first to the last frame.
+  std::optional<double> duration_s;
+  std::optional<GuidedTime> guided;             // absent without a target
+  std::optional<double> paused_s, away_s = {};  // SessionTimes; absent in older sessions
   /// Time when the session was imported as a file from home (it has no poses.csv then); nothing if it was
   /// made here.
   std::optional<std::string> returned_utc = {};

@@ -43,6 +43,10 @@ struct Pulse {
   std::optional<PulseOffset> offset;
   std::optional<double> gap_mm, predicted_error_mm, intensity_pct, e_target_v_per_m, mep_uv, latency_ms;
   std::optional<double> gap_stereo_mm;  // to the live surface (skin or hair) beside the coil
+  /// Bound of the alignment's error at the target that 95 of 100 alignments keep. predicted_error_mm is its
+  /// standard error.
+  std::optional<double> error_bound_mm;
+  bool is_in_pause = false;  // given while the session was paused
 
   /// Pose of the coil in the MRI; absent unless both poses are known.
   std::optional<RigidTransform<Mri, Coil>> mri_T_coil() const;

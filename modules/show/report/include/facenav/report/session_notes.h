@@ -10,6 +10,8 @@ namespace facenav::report {
 namespace session_events {
 constexpr const char* kPause = "pause";
 constexpr const char* kResume = "resume";
+constexpr const char* kPauseLength = "pause length";  // follows kResume, by the steady clock
+constexpr const char* kAlignmentCaution = "alignment caution";
 constexpr const char* kPainBefore = "pain before";
 constexpr const char* kPainAfter = "pain after";
 constexpr const char* kAdverse = "adverse event";

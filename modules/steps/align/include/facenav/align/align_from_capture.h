@@ -49,8 +49,13 @@ struct AlignmentOutcome {
   std::shared_ptr<const registration::ScalpField> scalp;
   std::shared_ptr<const surface::ScalpSurface> skin;  // the same skin, with its uncertainty
 
+  coil_tracking::CoilModel coil = coil_tracking::defaultCoil();  // the one that will be held at the targets
+
   /// Standard error at a target, mm: of the pose there and of the skin that the coil rests on.
   double predictedError_mm(const guidance::Target& target) const;
+  /// Bound of the coil's error there against the head that 95 of 100 such alignments keep, mm: the figure
+  /// that people are shown. It includes the skin and a camera that may have turned.
+  double errorBound_mm(const guidance::Target& target) const;
   /// Largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
   double worstPredicted_mm() const;
   /// Relative standard error of the measured face's size, from what is known of a right camera that turned

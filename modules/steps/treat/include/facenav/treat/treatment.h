@@ -84,8 +84,8 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
     const std::function<std::unique_ptr<session::Navigator>(const session::NavigatorSetup&)>& makeNavigator,
     CameraTurnover& cameras);
 
-/// Returns "aligned: 0.41 mm rms over 16000 points, ±0.4 mm at M1", for log, window and command line.
-/// `target` may be null.
+/// Returns "aligned: 95 % within 1.4 mm at M1 (0.41 mm rms over 16000 points)", for log, window and command
+/// line. `target` may be null; then, and if the bound is unknown, "aligned: 0.41 mm rms over 16000 points".
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target);
 /// Returns the target with the error that the alignment predicts there; `alignment` may be null.
 session::ChosenTarget chosenTarget(const guidance::Target& target, const AlignmentOutcome* alignment);
@@ -125,14 +125,14 @@ class Treatment {
   std::optional<std::string> tryToListen(const std::string& source);
   /// Stops these sources.
   void stopListening();
-  /// Adds a pulse by the window's key or button.
-  void pressPulse() { keyboard_.press(); }
+  /// Adds a pulse by the window's key or button, pressed at that time.
+  void pressPulse(Timestamp at = Timestamp::now()) { keyboard_.press(at); }
   /// Sets the intensity of the next pulses whose source does not send it; % of the maximal output.
   void setIntensity(std::optional<double> intensity_pct);
-  /// Pauses with a reason, or resumes. Only logs an event: pulses are judged as usual.
-  void pause(const std::string& reason);
-  void resume();
-  bool isPaused() const { return is_paused_; }
+  /// Pauses with a reason, or resumes. A pulse in a pause is kept, marked, and never on target.
+  void pause(const std::string& reason) { log_->pause(reason); }
+  void resume() { log_->resume(); }
+  bool isPaused() const { return log_->pauses().isPaused(); }
   /// Measures for two seconds whether the MRI is still aligned with the face. The finding appears in the next
   /// states (NavigationState::check) and in the log; a failed check withholds guidance until one passes.
   void checkRegistration();
@@ -149,9 +149,10 @@ class Treatment {
   /// True if the last check, or the alignment, is older than RegistrationCheckRules allows.
   bool isCheckDue();
 
-  /// Stops, stores key frames of the face with the case, and closes the log. It waits for a camera that
-  /// hangs, so a window calls it on another thread. Only keepReport() may follow.
-  void end();
+  /// Stops, stores key frames of the face with the case, and closes the log. `why`: what ended it if nobody
+  /// asked for the end (logged, and in the report); empty: a person did. It waits for a camera that hangs, so
+  /// a window calls it on another thread. Only keepReport() may follow.
+  void end(const std::string& why = {});
   /// Writes the report, after end(). A failure is logged as a warning; `facenav report` writes it again.
   void keepReport() const;
 
@@ -171,7 +172,6 @@ class Treatment {
   std::atomic<double> intensity_pct_{-1};  // < 0: unknown; read by the sources' threads
   std::optional<casefile::Protocol> protocol_;
   std::optional<int> planned_pulses_;
-  bool is_paused_ = false;
   Timestamp checked_ = Timestamp::now();  // time of the last registration check
   int last_check_ = 0;
   links::KeyboardSource keyboard_;

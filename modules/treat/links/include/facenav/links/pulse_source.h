@@ -36,8 +36,8 @@ class KeyboardSource : public PulseSource {
   std::string name() const override { return "keyboard"; }
   void start(PulseListener listener) override { listener_ = std::move(listener); }
   void stop() override { listener_ = {}; }
-  /// Adds a pulse with the current time, on the caller's thread. Does nothing while stopped.
-  void press();
+  /// Adds a pulse that was pressed at that time, on the caller's thread. Does nothing while stopped.
+  void press(Timestamp at = Timestamp::now());
 
  private:
   PulseListener listener_;

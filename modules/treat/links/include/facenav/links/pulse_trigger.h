@@ -17,6 +17,7 @@ struct PulseTrigger {
   /// the time between the pulses of a train.
   double dead_time_s = 0.15;
   std::optional<double> intensity_pct = {};  // % of the maximal output, if the source sends it
+  bool is_in_pause = false;                  // set by the session's log
 };
 
 }  // namespace facenav::links

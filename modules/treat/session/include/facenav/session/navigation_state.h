@@ -22,10 +22,11 @@
 
 namespace facenav::session {
 
-/// The chosen target with the alignment's predicted error there (mm, 0: unknown).
+/// The chosen target with the alignment's predicted error there (mm, 0: unknown): standard error, and the
+/// bound that 95 of 100 alignments keep, which is what people are shown.
 struct ChosenTarget {
   guidance::Target target;
-  double predicted_error_mm = 0.0;
+  double predicted_error_mm = 0.0, error_bound_mm = 0.0;
 };
 
 struct NavigationState {

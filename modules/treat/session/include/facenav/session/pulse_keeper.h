@@ -18,6 +18,11 @@ namespace facenav::session {
 struct PulseCounts {
   int on_target = 0, outside = 0, lost = 0;
 };
+/// A pulse as it was accepted, before its verdict is known.
+struct AddedPulse {
+  int number = 0;  // 0: none yet
+  std::optional<double> intensity_pct;
+};
 /// The newest pulse with a verdict.
 struct JudgedPulse {
   int number = 0;
@@ -50,6 +55,8 @@ class PulseKeeper {
   std::optional<JudgedPulse> last() const;
   /// Number of the newest pulse accepted by add().
   int added() const;
+  /// The newest pulse accepted by add() in this run; number 0: none.
+  AddedPulse newest() const;
   /// Number of the newest pulse that is in the file, synced; all before it are there, too.
   int kept() const;
   /// Returns the pulses written since the last call, at most kMostTold of them, to forward them.

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "facenav/session/evidence_keeper.h"
+#include "facenav/session/pause_times.h"
 #include "facenav/session/pulse_keeper.h"
 #include "facenav/session/session.h"
 
@@ -46,11 +47,26 @@ class TreatmentLog {
   void addEvent(const std::string& event, const std::string& detail = {});
   /// Adds a TMS pulse; returns at once. A second trigger within the source's dead time is logged as an event
   /// and not counted.
-  void addPulse(const PulseTrigger& trigger = {});
-  /// Adds the response of the muscle to the newest pulse: its MEP, or yes or no. Stored with the pulse;
-  /// returns at once. Returns false if there is no pulse yet, or no such MEP (0 to casefile::kLargestMep_uv).
+  void addPulse(PulseTrigger trigger = {});
+  /// Begins and ends a pause; both are events. Pulses in it are kept and marked, and no guidance is logged.
+  void pause(const std::string& reason);
+  void resume();
+  const PauseTimes& pauses() const;
+  /// Time since the start, until the session's end, without pauses, s.
+  double treated_s() const;
+  /// Says why the session ends if nobody asked for its end ("the window was closed"). Empty: a person did.
+  void endWith(const std::string& words);
+  /// Number of the newest pulse, which may not be in the file yet; 0: none.
+  int newestPulse() const;
+  /// The newest pulse, if it has no answer of the muscle yet. Nothing if there is none to answer for.
+  std::optional<AddedPulse> openPulse() const;
+  /// Adds the response of the muscle to the newest pulse: its MEP, or yes or no; one a pulse. Stored with the
+  /// pulse; returns at once. Returns false if no pulse is open, or for no MEP (0 to
+  /// casefile::kLargestMep_uv).
   bool answerPulse(double mep_uv);
   bool answerPulse(bool has_twitched);
+  /// Takes the last answer back. Returns false without one.
+  bool takeBackAnswer();
   PulseCounts counts() const;
   /// Newest pulse with a verdict, about one frame after it.
   std::optional<JudgedPulse> lastPulse() const;

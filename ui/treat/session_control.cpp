@@ -1,0 +1,166 @@
+// The running session of TreatPresenter: pulses, answers, pauses, notes, and its end.
+
+#include <QSettings>
+#include <QTime>
+#include <utility>
+
+#include "facenav/casefile/kept_session.h"
+#include "facenav/core/error.h"
+#include "treat/session_end.h"
+#include "treat/treat_presenter.h"
+
+namespace facenav::ui {
+void TreatPresenter::listen() {
+  if (pulse_source_.isEmpty() || !isRunning()) return;
+  if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
+    emit refused(tr("no pulses from outside: %1").arg(QString::fromStdString(*fault)));
+}
+
+bool TreatPresenter::setPulseSource(const QString& words) {
+  try {
+    if (!words.trimmed().isEmpty()) links::openPulseSource(words.trimmed().toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+  pulse_source_ = words.trimmed();
+  QSettings().setValue(kPulseSource, pulse_source_);
+  if (isRunning()) treatment_->stopListening();
+  listen();
+  emit changed();
+  return true;
+}
+
+void TreatPresenter::setIntensity(std::optional<double> intensity_pct) {
+  intensity_pct_ = intensity_pct;
+  if (treatment_) treatment_->setIntensity(intensity_pct);
+  emit changed();
+}
+
+bool TreatPresenter::answerPulse(double mep_uv) {
+  return isRunning() && treatment_->log().answerPulse(mep_uv);
+}
+
+bool TreatPresenter::answerPulse(bool has_twitched) {
+  return isRunning() && treatment_->log().answerPulse(has_twitched);
+}
+
+bool TreatPresenter::takeBackAnswer() { return isRunning() && treatment_->log().takeBackAnswer(); }
+
+std::optional<session::AddedPulse> TreatPresenter::openPulse() const {
+  return isRunning() ? treatment_->log().openPulse() : std::nullopt;
+}
+
+int TreatPresenter::newestPulse() const { return treatment_ ? treatment_->log().newestPulse() : 0; }
+
+void TreatPresenter::pause(const QString& reason) {
+  if (isRunning()) treatment_->pause(reason.trimmed().toStdString());
+  emit changed();
+}
+
+void TreatPresenter::resume() {
+  if (isRunning()) treatment_->resume();
+  emit changed();
+}
+
+void TreatPresenter::stopGuiding() { pause(QStringLiteral("guidance stopped")); }
+
+QString TreatPresenter::pauseWords() const {
+  if (!isPaused()) return {};
+  const QString reason = QString::fromStdString(treatment_->log().pauses().reason());
+  return reason.isEmpty() ? tr("PAUSED") : tr("PAUSED: %1").arg(reason);
+}
+
+double TreatPresenter::pauseLength_s() const {
+  return isPaused() ? treatment_->log().pauses().length_s() : 0.0;
+}
+
+void TreatPresenter::checkRegistration() {
+  if (isRunning()) treatment_->checkRegistration();
+}
+
+void TreatPresenter::judgeTip(steps::TipVerdict verdict, const guidance::TipReading& reading) {
+  if (!isRunning()) return;
+  treatment_->judgeTip(verdict, reading);
+  is_judged_wrong_ |= verdict == steps::TipVerdict::wrong;
+  emit changed();
+}
+
+bool TreatPresenter::note(const QString& event, const QString& detail) {
+  if (last_session_.empty()) {
+    emit refused(tr("there is no session yet: start guidance first"));
+    return false;
+  }
+  try {
+    const auto words = report::noteWords(detail.toStdString(), event.toStdString());
+    if (treatment_) {
+      treatment_->log().addEvent(event.toStdString(), words);
+      return true;
+    }
+    casefile::addNote(last_session_, event.toStdString(), words);
+    reportBeside(retirement_, model_.current().store.folder(), last_session_);
+    return true;
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void TreatPresenter::countPulse(Timestamp at) {
+  if (isRunning()) treatment_->pressPulse(at);
+}
+
+QString TreatPresenter::sessionTime() const {
+  if (!treatment_) return {};
+  return QTime(0, 0).addMSecs(int(1e3 * treatment_->log().treated_s())).toString("hh:mm:ss");
+}
+
+QString TreatPresenter::summary() const {
+  if (!treatment_) return {};
+  const auto counts = pulseCounts();
+  QString words = tr("%1, %2 pulses").arg(sessionTime()).arg(pulses());
+  if (const auto planned = plannedPulses()) words += tr(" of %1").arg(*planned);
+  return words + tr(": %1 on target, %2 outside, %3 with face or coil lost")
+                     .arg(counts.on_target)
+                     .arg(counts.outside)
+                     .arg(counts.lost);
+}
+
+void TreatPresenter::askEnd() {
+  if (!treatment_ || is_ending_) return;
+  is_ending_ = true;
+  stopped_for_end_ = isGuiding();
+  if (stopped_for_end_) treatment_->pause("the session is being ended");
+  emit changed();
+}
+
+void TreatPresenter::cancelEnd() {
+  if (!is_ending_) return;
+  is_ending_ = false;
+  if (std::exchange(stopped_for_end_, false)) return resume();
+  emit changed();
+}
+
+void TreatPresenter::end(const QString& pain_after, const QString& adverse) {
+  if (!treatment_) return;
+  if (!pain_after.isEmpty()) note(report::session_events::kPainAfter, pain_after);
+  if (!adverse.trimmed().isEmpty()) note(report::session_events::kAdverse, adverse);
+  const QString name = QString::fromStdString(last_session_.filename().string());
+  endSession({}, [this, name] {
+    QMetaObject::invokeMethod(
+        this, [this, name] { emit sessionEnded(name); }, Qt::QueuedConnection);
+  });
+  emit changed();
+}
+
+void TreatPresenter::stop(const std::string& why) {
+  if (treatment_) endSession(why);
+  emit changed();
+}
+
+void TreatPresenter::endSession(const std::string& why, std::function<void()> then) {
+  is_ending_ = stopped_for_end_ = false;
+  endBeside(retirement_, std::exchange(treatment_, nullptr), why, std::move(then));
+}
+
+}  // namespace facenav::ui
