@@ -139,9 +139,8 @@ void runAlign(Context& context, const AlignRequest& request) {
   if (stored.matcher) std::printf("face measured by the matcher %s\n", stored.matcher->c_str());
   std::printf("aligned: residual rms %.2f mm, max %.2f mm, %d points (%.0f %% of the face)\n", stored.rms_mm,
               stored.max_mm, stored.points, 100 * stored.inlier_fraction);
-  for (const auto& [target, error_mm] : stored.predicted_tre_mm)
-    std::printf("predicted error at %s: %.2f mm (95 of 100 below %.2f mm)\n", target.c_str(), error_mm,
-                stored.predicted_tre_p95_mm.at(target));
+  for (const auto& [target, bound_mm] : stored.predicted_tre_p95_mm)
+    std::printf("at %s: 95 %% within %.1f mm\n", target.c_str(), bound_mm);
   printWorstRegions(outcome.regions);
   for (const auto& caution : stored.cautions) std::printf("caution: %s\n", caution.c_str());
 }

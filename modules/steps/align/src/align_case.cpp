@@ -150,8 +150,8 @@ std::optional<std::string> contradiction(const CaseAlignment& alignment, const P
 }
 
 std::string inWords(const AlignmentTry& tried) {
-  if (!tried.predicted_mm) return inWords(tried.from) + " was refused (" + tried.refusal + ")";
-  return inWords(tried.from) + " would give " + fixed(*tried.predicted_mm, 2) + " mm";
+  if (!tried.bound_mm) return inWords(tried.from) + " was refused (" + tried.refusal + ")";
+  return inWords(tried.from) + " would give 95 % within " + fixed(*tried.bound_mm, 1) + " mm";
 }
 
 /// Replaces the MRI by the stored face in the words for a case without an MRI.
@@ -190,7 +190,7 @@ struct Attempts {
 
 void Attempts::take(Aligned aligned) {
   AlignmentTry& now = tries.back();
-  now.predicted_mm = aligned.outcome.worstPredicted_mm(), now.bound_mm = worstBound_mm(aligned.outcome);
+  now.bound_mm = worstBound_mm(aligned.outcome);
   now.camera_T_mri = aligned.outcome.result.camera_T_mri;
   if (best_ && !isBetter(now, tries[used_])) return;
   used_ = tries.size() - 1;
@@ -199,7 +199,7 @@ void Attempts::take(Aligned aligned) {
 
 void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& store,
                    const std::function<Aligned()>& align) {
-  tries.push_back({from, {}, {}, {}});
+  tries.push_back({from, {}, {}});
   AlignmentTry& now = tries.back();
   try {
     take(align());
@@ -316,7 +316,7 @@ std::string inWords(const CaseAlignment& alignment) {
   std::string words;
   for (const AlignmentTry& tried : alignment.tries)
     if (tried.from == alignment.outcome.from)
-      words = "used " + inWords(tried.from) + ": " + fixed(*tried.predicted_mm, 2) + " mm predicted";
+      words = "used " + inWords(tried.from) + ": " + "95 % within " + fixed(*tried.bound_mm, 1) + " mm";
   for (const AlignmentTry& tried : alignment.tries)
     if (tried.from != alignment.outcome.from) words += "; " + inWords(tried);
   return words;

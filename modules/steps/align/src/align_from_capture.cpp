@@ -239,13 +239,6 @@ double AlignmentOutcome::errorBound_mm(const guidance::Target& target) const {
   return std::hypot(result.coilErrorBound_mm(target.cortex_point, markerAt(target, coil)), kBound * skin_mm);
 }
 
-double AlignmentOutcome::worstPredicted_mm() const {
-  double worst = 0;
-  for (const auto& [ignored, error_mm] : predicted_tre_mm) worst = std::max(worst, error_mm);
-  if (!predicted_tre_mm.empty() || !scalp) return worst;
-  return result.predictedError_mm(Point<Mri>(scalp->middle_mm()));
-}
-
 std::optional<double> AlignmentOutcome::faceSizeError() const {
   if (!result.right || !result.right_turn || face.cloud.empty()) return std::nullopt;
   return std::hypot(result.right_turn->rad, result.right_turn->sigma_rad) *

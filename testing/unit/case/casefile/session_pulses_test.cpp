@@ -108,7 +108,7 @@ TEST_F(SessionPulsesTest, CsvHasTheColumnsOfTheContractAndEmptyMeansNotKnown) {
   EXPECT_EQ(content.substr(0, content.find('\n')),
             "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
             "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-            "excluded,note,coil,gap_stereo_mm,field_lost_pct");
+            "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause");
   const CsvTable table(path);
   ASSERT_EQ(table.rows(), 3u);
   const auto text = [&](std::size_t row, const char* column) {
@@ -125,6 +125,7 @@ TEST_F(SessionPulsesTest, CsvHasTheColumnsOfTheContractAndEmptyMeansNotKnown) {
   EXPECT_NEAR(number(0, "qw"), mri_T_coil.quaternion().w(), 1e-8);
   EXPECT_NEAR(number(0, "t_s"), 10.1, 1e-9);
   EXPECT_EQ(text(0, "gap_mm"), "");
+  EXPECT_EQ(text(0, "in_pause"), "0");
   EXPECT_EQ(text(0, "mep_uv"), "");
   EXPECT_EQ(text(0, "excluded"), "0");
   EXPECT_EQ(text(1, "status"), "outside");

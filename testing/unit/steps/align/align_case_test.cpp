@@ -167,8 +167,8 @@ TEST_F(AlignRecording, OfDotsAndPlainSkinUsesWhatPromisesLessErrorAndSaysWhatThe
   const auto by_dots = align(recording_);
   EXPECT_EQ(by_dots.outcome.from, measured_face::AlignedFrom::dots);
   ASSERT_EQ(by_dots.tries.size(), 2u);
-  EXPECT_THAT(inWords(by_dots), ::testing::AllOf(HasSubstr("used the pair with dots: 0.30 mm"),
-                                                 HasSubstr("the plain pair would give 0.60 mm")));
+  EXPECT_THAT(inWords(by_dots), ::testing::AllOf(HasSubstr("used the pair with dots: 95 % within 0.5 mm"),
+                                                 HasSubstr("the plain pair would give 95 % within 1.0 mm")));
   EXPECT_EQ(store_->alignment()->from, "dots");
   EXPECT_EQ(align(recording_).outcome.from, measured_face::AlignedFrom::plain);
   EXPECT_EQ(store_->alignment()->from, "plain");

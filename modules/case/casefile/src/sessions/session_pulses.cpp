@@ -159,7 +159,8 @@ std::string csvLine(const ReviewedPulse& reviewed) {
   std::optional<double> lost_pct;
   if (pulse.gap_mm) lost_pct = guidance::fieldLost_pct(*pulse.gap_mm);
   return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) + "," +
-         csvField(pulse.coil) + field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) + "\n";
+         csvField(pulse.coil) + field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) +
+         field(pulse.error_bound_mm, 4) + (pulse.is_in_pause ? ",1" : ",0") + "\n";
 }
 
 }  // namespace
@@ -217,7 +218,7 @@ std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {
   std::string csv =
       "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
       "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-      "excluded,note,coil,gap_stereo_mm,field_lost_pct\n";
+      "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause\n";
   for (const ReviewedPulse& reviewed : pulses) csv += csvLine(reviewed);
   return csv;
 }

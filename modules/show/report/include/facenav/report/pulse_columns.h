@@ -27,7 +27,7 @@ enum class PulseColumn {
 
 struct PulseColumnWords {
   PulseColumn column;
-  const char* key;   // in pulses.csv; error_bound_mm: in pulses.jsonl
+  const char* key;   // in pulses.csv
   const char* name;  // English
   const char* unit;
   int decimals;

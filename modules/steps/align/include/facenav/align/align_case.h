@@ -1,7 +1,7 @@
 #pragma once
 // ALIGN: the third step of the data flow, used by the verb, the window and the demo. In: the pictures of a
 // recording (a capture pair with dots, its plain pair, a film) and the case's scalp. Out: alignment.json and
-// its files, in the case. Of several ways, the one with the smallest predicted error is used.
+// its files, in the case. Of several ways, the one with the smallest bound is used.
 
 #include <string>
 #include <vector>
@@ -38,7 +38,7 @@ inline constexpr const char* kWithoutDotsCaution =
 /// One way to align, as tried: an alignment, or the reason for its refusal.
 struct AlignmentTry {
   measured_face::AlignedFrom from;
-  std::optional<double> predicted_mm, bound_mm;  // the largest at a target; nothing: refused
+  std::optional<double> bound_mm;  // 95 %, the largest at a target; nothing: refused
   std::string refusal;
   std::optional<RigidTransform<Camera, Mri>> camera_T_mri = {};
 };
@@ -70,8 +70,8 @@ AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseSto
 void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& rig,
                     const capture::CapturePair& capture, const AlignmentOutcome& outcome);
 
-/// Returns "used the pair with dots: 0.31 mm predicted; the plain pair would give 0.52 mm; the film was
-/// refused: ..".
+/// Returns "used the pair with dots: 95 % within 1.8 mm; the plain pair would give 95 % within 3.5 mm; the
+/// film was refused: ..".
 std::string inWords(const CaseAlignment& alignment);
 
 }  // namespace facenav::steps

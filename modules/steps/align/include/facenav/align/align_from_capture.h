@@ -56,8 +56,6 @@ struct AlignmentOutcome {
   /// Bound of the coil's error there against the head that 95 of 100 such alignments keep, mm: the figure
   /// that people are shown. It includes the skin and a camera that may have turned.
   double errorBound_mm(const guidance::Target& target) const;
-  /// Largest predicted error (standard error, mm) at a target; without targets, in the head's middle.
-  double worstPredicted_mm() const;
   /// Relative standard error of the measured face's size, from what is known of a right camera that turned
   /// sideways. Nothing: not estimated.
   std::optional<double> faceSizeError() const;
