@@ -24,7 +24,8 @@ std::string rigUtcNow() {
 std::optional<cameras::Board> boardOf(const RigRequest& request) {
   if (request.board.empty()) return std::nullopt;
   if (!(request.square_mm > 0))
-    throw WrongUsage("the size of the board's squares is missing", "measure a square and give it in mm: --square 25");
+    throw WrongUsage("the size of the board's squares is missing",
+                     "measure a square and give it in mm: --square 25");
   return cameras::boardFromText(request.board, request.square_mm);
 }
 
