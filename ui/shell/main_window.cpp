@@ -99,13 +99,17 @@ void MainWindow::connectWords() {
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
   const auto refuse = [this](const QString& words) { task_bar_->showMessage(words, true); };
   connect(&worklist_, &WorklistPresenter::refused, this, refuse);
+  connect(&model_, &CaseModel::opened, this, [this] {
+    worklist_.setOpenCase(QString::fromStdString(model_.current().store.folder().string()));
+  });
   connect(&treat_, &TreatPresenter::refused, this, refuse);
   connect(&plan_, &PlanPresenter::refused, this, refuse);
   connect(&edit_, &EditPresenter::refused, this, refuse);
   connect(&review_, &ReviewPresenter::refused, this, refuse);
   connect(&replay_, &ReplayPresenter::refused, this, refuse);
-  connect(&review_, &ReviewPresenter::said, this,
-          [this](const QString& words) { task_bar_->showMessage(words, false); });
+  const auto say = [this](const QString& words) { task_bar_->showMessage(words, false); };
+  connect(&review_, &ReviewPresenter::said, this, say);
+  connect(&worklist_, &WorklistPresenter::said, this, say);
 }
 
 void MainWindow::connectPrepare() {
@@ -119,6 +123,8 @@ void MainWindow::connectPrepare() {
   connect(&queue_, &PrepareQueue::prepared, this, [this](const QString&, const QString& case_id) {
     if (!tasks_.isRunning()) task_bar_->showMessage(tr("case %1 is prepared: check it").arg(case_id), false);
   });
+  connect(prepare_workspace_, &PrepareWorkspace::signOffWanted, this,
+          [this](const QString& folder) { openCaseAt(folder, PrepareStep::sign_off); });
   connect(&queue_, &PrepareQueue::choiceNeeded, this, [this](int id) {
     if (!tasks_.isRunning())
       task_bar_->showNotice(
