@@ -4,20 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
-#include <QBuffer>
 #include <QFile>
 #include <QGuiApplication>
-#include <QScreen>
 #include <QSettings>
 #include <QTimer>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
-#include "facenav/core/whole_file.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "home/home_window.h"
@@ -29,12 +25,13 @@
 #include "shell/appearance.h"
 #include "shell/main_window.h"
 #include "shell/report_pdf.h"
+#include "shell/screenshot.h"
+#include "shell/work_area.h"
+#include "software_commit.h"
 
 namespace {
 
 using namespace facenav;
-
-constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;
 
 struct Arguments {
   app::SettingsRequest settings;
@@ -50,13 +47,10 @@ ui::PrepareStep stepNamed(const std::string& name) {
   return name == "sign-off" ? ui::PrepareStep::sign_off : ui::PrepareStep::worklist;
 }
 
-/// Saves a picture of the window for its owner alone, since it may show a patient, and quits.
+/// Saves a picture of the window and quits.
 void saveScreenshot(QWidget& window, const std::string& path) {
-  QBuffer picture;
-  picture.open(QIODevice::WriteOnly);
   try {
-    window.grab().save(&picture, "PNG");
-    writeWholeFile(path, picture.data().toStdString());
+    ui::writeScreenshot(window, QString::fromStdString(path));
     QApplication::exit(0);
   } catch (const Error& error) {
     std::fprintf(stderr, "facenav-gui: the screenshot could not be written: %s\n", error.what());
@@ -92,12 +86,6 @@ void keepFilesPrivate() {
   if (QFile::exists(settings)) QFile::setPermissions(settings, QFile::ReadOwner | QFile::WriteOwner);
 }
 
-double rememberedTextScale(double asked_for) {
-  const QString key = "appearance/text_scale";
-  if (asked_for > 0) QSettings().setValue(key, asked_for);
-  return std::clamp(QSettings().value(key, 1.0).toDouble(), kLeastTextScale, kMostTextScale);
-}
-
 /// Prints the report of a session as PDF, without a window. With an X display the report has pictures.
 int printReport(int argc, char** argv, const Arguments& arguments) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -122,8 +110,7 @@ int runHome(QApplication& application, const Arguments& arguments) {
     *has_begun = true;  // a recording starts by itself, as in the other window
     QTimer::singleShot(0, &window, [&window] { window.presenter().act(); });
   });
-  const QSize room = QApplication::primaryScreen()->availableSize();
-  window.resize(std::min(1366, room.width()), std::min(768, room.height()));
+  ui::fitIntoWorkArea(window, {1366, 768});
   window.show();
   if (!arguments.screenshot.empty())
     QTimer::singleShot(int(arguments.after_s * 1000), &window,
@@ -134,8 +121,7 @@ int runHome(QApplication& application, const Arguments& arguments) {
 /// Runs only the set-up of a camera pair.
 int runSetUp(QApplication& application, const Arguments& arguments) {
   ui::SetupWindow window(ui::servicesWith(app::makeRegistrations));
-  const QSize room = QApplication::primaryScreen()->availableSize();
-  window.resize(std::min(1366, room.width()), std::min(768, room.height()));
+  ui::fitIntoWorkArea(window, {1366, 768});
   window.show();
   if (!arguments.rig.empty()) window.openKept(QString::fromStdString(arguments.rig));
   if (!arguments.screenshot.empty())
@@ -155,8 +141,10 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName("FaceNav");
   QApplication::setApplicationName("FaceNav");
+  QApplication::setApplicationVersion(QString::fromStdString(app::versionInWords()));
   keepFilesPrivate();
-  ui::applyAppearance(application, rememberedTextScale(arguments.text_scale));
+  if (arguments.text_scale > 0) ui::rememberTextScale(arguments.text_scale);
+  ui::applyAppearance(application, ui::rememberedTextScale());
   // Starts the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
   if (!arguments.home.empty()) return runHome(application, arguments);
@@ -211,7 +199,7 @@ int main(int argc, char** argv) {
                  "seconds to wait before the screenshot, from when case and recording are shown")
       ->check(CLI::Range(0.1, 600.0));
   cli.add_option("--text-scale", arguments.text_scale, "all text larger or smaller, 2: twice; remembered")
-      ->check(CLI::Range(kLeastTextScale, kMostTextScale));
+      ->check(CLI::Range(ui::kLeastTextScale, ui::kMostTextScale));
   cli.add_option("--report-pdf", arguments.report_pdf,
                  "write the report of a session of --case as PDF and quit, without a window");
   cli.add_option("--session", arguments.session, "for --report-pdf: its name; default: the newest");

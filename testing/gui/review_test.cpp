@@ -4,6 +4,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QInputDialog>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
@@ -20,6 +22,7 @@
 #include "pdf_text.h"
 #include "review/pulse_table.h"
 #include "review/review_workspace.h"
+#include "review/sessions_panel.h"
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
 #include "support/made_session.h"
@@ -98,6 +101,45 @@ TEST_F(ReviewTest, ExclusionsNeedAReasonAreWrittenAndCanBeUndone) {
   review.undo();
   ASSERT_TRUE(fixtures::waitFor([&] { return review.sessions().back().excluded == 0; }));
   EXPECT_FALSE(casefile::readSessionPulses(second_).pulses[2].is_excluded);
+}
+
+/// Opens the context menu of the pulses and chooses the action whose text begins so.
+void chooseInMenu(SessionsPanel& panel, const QString& begin) {
+  QTableView* pulses = nullptr;
+  for (auto* view : panel.findChildren<QTableView*>())
+    if (view->accessibleName() == "pulses") pulses = view;
+  emit pulses->customContextMenuRequested({20, 20});
+  auto* menu = panel.findChild<QMenu*>("pulses_menu");
+  ASSERT_TRUE(menu);
+  menu->setObjectName({});  // the next one is found by its name
+  menu->close();
+  for (auto* action : menu->actions())
+    if (action->text().startsWith(begin)) return action->trigger();
+  ADD_FAILURE() << "no action " << begin.toStdString();
+}
+
+TEST_F(ReviewTest, AContextMenuExcludesPulsesForAReasonTakesThemInAndShowsOne) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  ReviewPresenter review(model_);
+  SessionsPanel panel(review);
+  panel.show();
+  review.refresh();
+  waitForSession(review);
+  bool wants_replay = false;
+  QObject::connect(&panel, &SessionsPanel::replayWanted, [&] { wants_replay = true; });
+  review.mark(3);  // selects its line
+  chooseInMenu(panel, "Exclude");
+  auto* question = panel.findChild<QInputDialog*>("exclude_question");
+  ASSERT_TRUE(question) << "an exclusion needs a reason";
+  EXPECT_FALSE(fs::exists(second_ / "pulse_edits.jsonl"));
+  question->setTextValue("patient moved");
+  question->accept();
+  ASSERT_TRUE(fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[2].is_excluded; }));
+  chooseInMenu(panel, "Show in the replay");
+  EXPECT_TRUE(wants_replay);
+  EXPECT_EQ(review.marked(), 3);
+  chooseInMenu(panel, "Take in");
+  ASSERT_TRUE(fixtures::waitFor([&] { return !review.session()->kept.pulses.pulses[2].is_excluded; }));
 }
 
 TEST_F(ReviewTest, AnMepTypedIntoTheTableIsKeptAndOneThatIsNoNumberIsRefused) {

@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
 #include <cstdlib>
@@ -185,6 +187,9 @@ void expectEveryPageFits(const QSize& size, double text_scale, const QString& pr
       EXPECT_EQ(window.size(), size);
       EXPECT_LE(window.minimumSizeHint().width(), size.width()) << widestParts(window);
       EXPECT_LE(window.minimumSizeHint().height(), size.height());
+      const auto* area = window.findChild<QScrollArea*>("page_area");  // scrolls only on smaller screens
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << widestParts(window);
+      EXPECT_EQ(area->verticalScrollBar()->maximum(), 0);
       expectAlwaysThere(window);
       if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
         window.grab().save(QString("%1/%2%3.png").arg(pictures, prefix, page.name));

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QSettings>
 #include <QTableView>
 #include <QtTest/QTest>
@@ -144,6 +147,91 @@ TEST_F(WorklistTest, ALabelBeingTypedOutlivesTheListsRefreshAndReturnOnlyStoresI
   EXPECT_EQ(store.label(), "Doe J");
   QTest::keyClick(view, Qt::Key_Return);
   EXPECT_EQ(openings, 1);
+}
+
+/// Texts of a menu's actions, without their keys.
+QStringList actionTexts(const QMenu& menu) {
+  QStringList words;
+  for (const auto* action : menu.actions())
+    if (!action->isSeparator()) words << action->text().section('\t', 0, 0);
+  return words;
+}
+
+void chooseAction(const QMenu& menu, const QString& begin) {
+  for (auto* action : menu.actions())
+    if (action->text().startsWith(begin)) return action->trigger();
+  ADD_FAILURE() << "no action " << begin.toStdString();
+}
+
+/// Opens the context menu of the table's first line.
+QMenu* menuOfFirstLine(WorklistPage& page) {
+  auto* view = page.findChild<QTableView*>();
+  view->selectRow(0);
+  emit view->customContextMenuRequested({20, 20});
+  auto* menu = page.findChild<QMenu*>("worklist_menu");
+  if (!menu) return nullptr;
+  menu->setObjectName({});  // the next one is found by its name
+  menu->close();
+  return menu;
+}
+
+TEST_F(WorklistTest, AContextMenuOpensSignsOffAndLabelsACase) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  makeCase("one");
+  ASSERT_TRUE(show(1));
+  WorklistPage page(worklist_, queue_);
+  page.resize(900, 400);
+  page.show();
+  QString opened, to_sign;
+  QObject::connect(&page, &WorklistPage::caseChosen, [&](const QString& folder) { opened = folder; });
+  QObject::connect(&page, &WorklistPage::signOffWanted, [&](const QString& folder) { to_sign = folder; });
+  const auto* menu = menuOfFirstLine(page);
+  ASSERT_TRUE(menu);
+  EXPECT_EQ(actionTexts(*menu),
+            (QStringList{"Open", "Sign off, or reject the scan\u2026", "Label\u2026", "Delete\u2026"}));
+  chooseAction(*menu, "Open");
+  EXPECT_EQ(opened, worklist_.rows()[0].case_folder);
+  chooseAction(*menu, "Sign off");
+  EXPECT_EQ(to_sign, worklist_.rows()[0].case_folder);
+  chooseAction(*menu, "Label");
+  EXPECT_TRUE(page.findChild<QTableView*>()->viewport()->findChild<QLineEdit*>());
+}
+
+TEST_F(WorklistTest, ACaseGoesToTheTrashOnlyAfterAQuestionAndNeverWhileItIsOpen) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto folder = makeCase("one").folder();
+  ASSERT_TRUE(show(1));
+  QString refused, said;
+  QObject::connect(&worklist_, &WorklistPresenter::refused, [&](const QString& words) { refused = words; });
+  QObject::connect(&worklist_, &WorklistPresenter::said, [&](const QString& words) { said = words; });
+  WorklistPage page(worklist_, queue_);
+  page.resize(900, 400);
+  page.show();
+  const auto answer = [&](const QString& words) {
+    auto* menu = menuOfFirstLine(page);
+    chooseAction(*menu, "Delete");
+    auto* question = page.findChild<QMessageBox*>("delete_question");
+    ASSERT_TRUE(question);
+    EXPECT_TRUE(question->informativeText().contains("can be restored"));
+    EXPECT_EQ(question->defaultButton()->text(), "Keep it");
+    question->setObjectName({});
+    for (auto* button : question->buttons())
+      if (button->text() == words) button->click();
+  };
+  answer("Keep it");
+  EXPECT_TRUE(fs::exists(folder / "case.json"));
+  worklist_.setOpenCase(QString::fromStdString(folder.string()));
+  answer("Move to the trash");
+  EXPECT_TRUE(fs::exists(folder / "case.json"));
+  EXPECT_TRUE(refused.contains("is open")) << refused.toStdString();
+  worklist_.setOpenCase({});
+  answer("Move to the trash");
+  EXPECT_FALSE(fs::exists(folder)) << refused.toStdString();
+  EXPECT_TRUE(fixtures::waitFor([&] { return worklist_.rows().empty(); }));
+  const fs::path kept = said.section(": ", 1).toStdString();
+  EXPECT_TRUE(fs::exists(kept / "case.json")) << "it can be restored: " << said.toStdString();
+  fs::remove_all(kept);
+  EXPECT_EQ(worklist_.moveToTrash("/tmp"), "") << "only a case of the list";
 }
 
 TEST_F(WorklistTest, AFolderThatCannotBeReadIsSaid) {

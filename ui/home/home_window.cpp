@@ -16,6 +16,7 @@
 #include "home/fitted_words.h"
 #include "home/sign_view.h"
 #include "shell/appearance.h"
+#include "shell/help_window.h"
 #include "shell/image_view.h"
 
 namespace facenav::ui {
@@ -89,6 +90,7 @@ HomeWindow::HomeWindow(const Services& services, QWidget* parent)
   auto* pulse = new QShortcut(Qt::Key_P, this);
   pulse->setAutoRepeat(false);
   connect(pulse, &QShortcut::activated, this, [this] { presenter_.countPulse(times_.pressed()); });
+  HelpWindow::addKey(*this, "home.md", "at-home");
   connect(&presenter_, &HomePresenter::changed, this, &HomeWindow::refresh);
   connect(&presenter_, &HomePresenter::saveWanted, this, &HomeWindow::saveFile);
   connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, &presenter_, &HomePresenter::goOn);

@@ -38,6 +38,7 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   ball_->setShortcut(Qt::Key_D);
   for (const int step : {-1, 1}) {
     auto* key = new QShortcut(step < 0 ? Qt::Key_BracketLeft : Qt::Key_BracketRight, this);
+    key->setWhatsThis(step < 0 ? tr("smaller brush, shallower scalpel") : tr("larger brush, deeper scalpel"));
     connect(key, &QShortcut::activated, this, [this, step] {
       cuts() ? presenter_.setCutDepth_mm(presenter_.cutDepth_mm() + step) : presenter_.resize(step);
     });

@@ -24,12 +24,12 @@ PrepareWorkspace::PrepareWorkspace(PreparePresenter& presenter, WorklistPresente
       model_(model),
       pages_(new QStackedWidget(this)),
       steps_(new QButtonGroup(this)),
-      series_page_(new SeriesPage(presenter, this)) {
-  auto* worklist_page = new WorklistPage(worklist, queue, this);
+      series_page_(new SeriesPage(presenter, this)),
+      worklist_page_(new WorklistPage(worklist, queue, this)) {
   auto* check_page = new CheckPage(presenter, edit, model, this);
   auto* sign_off_page = new SignOffPage(sign_off, model, this);
   auto* archive_page = new ArchivePage(archive, this);
-  for (QWidget* page : {static_cast<QWidget*>(worklist_page), static_cast<QWidget*>(series_page_),
+  for (QWidget* page : {static_cast<QWidget*>(worklist_page_), static_cast<QWidget*>(series_page_),
                         static_cast<QWidget*>(check_page), static_cast<QWidget*>(sign_off_page),
                         static_cast<QWidget*>(archive_page)})
     pages_->addWidget(page);
@@ -37,8 +37,9 @@ PrepareWorkspace::PrepareWorkspace(PreparePresenter& presenter, WorklistPresente
   column->setContentsMargins(10, 8, 10, 10);
   column->addWidget(makeSteps());
   column->addWidget(pages_, 1);
-  connect(worklist_page, &WorklistPage::caseChosen, this, &PrepareWorkspace::caseChosen);
-  connect(worklist_page, &WorklistPage::inputChosen, this, [this](const QString& input) {
+  connect(worklist_page_, &WorklistPage::caseChosen, this, &PrepareWorkspace::caseChosen);
+  connect(worklist_page_, &WorklistPage::signOffWanted, this, &PrepareWorkspace::signOffWanted);
+  connect(worklist_page_, &WorklistPage::inputChosen, this, [this](const QString& input) {
     presenter_.openInput(input);
     setStep(PrepareStep::series);
   });

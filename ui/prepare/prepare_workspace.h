@@ -16,6 +16,7 @@ namespace facenav::ui {
 
 class CheckPage;
 class SeriesPage;
+class WorklistPage;
 
 /// `archive` belongs to step 2.
 enum class PrepareStep { worklist, series, check, sign_off, archive };
@@ -31,10 +32,12 @@ class PrepareWorkspace : public QWidget {
   PrepareStep step() const;
   /// Asks for a folder to read.
   void chooseInput();
+  WorklistPage& worklistPage() { return *worklist_page_; }
 
  signals:
   void stepChanged();
   void caseChosen(const QString& folder);
+  void signOffWanted(const QString& case_folder);
 
  private:
   QWidget* makeSteps();
@@ -46,6 +49,7 @@ class PrepareWorkspace : public QWidget {
   QStackedWidget* pages_;
   QButtonGroup* steps_;
   SeriesPage* series_page_;
+  WorklistPage* worklist_page_;
 };
 
 }  // namespace facenav::ui

@@ -7,7 +7,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QShortcut>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -27,6 +30,7 @@ WorklistPage::WorklistPage(WorklistPresenter& presenter, PrepareQueue& queue, QW
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeHead());
   makeTable();
+  addKeys();
   column->addWidget(view_, 1);
   empty_ = new QLabel(this);
   empty_->setObjectName("muted");
@@ -86,7 +90,29 @@ void WorklistPage::makeTable() {
   const int widths[] = {130, 220, 90, 90, 140};
   for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, sized(widths[i]));
   view_->installEventFilter(this);
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(view_, &QTableView::doubleClicked, this, &WorklistPage::openChosen);
+  connect(view_, &QTableView::customContextMenuRequested, this, &WorklistPage::showMenu);
+}
+
+/// Adds the keys of the table itself; a label being typed keeps its own.
+void WorklistPage::addKeys() {
+  const auto key = [this](int code, const QString& words, auto action) {
+    auto* shortcut = new QShortcut(code, view_);
+    shortcut->setContext(Qt::WidgetShortcut);
+    shortcut->setWhatsThis(words);
+    connect(shortcut, &QShortcut::activated, this, action);
+  };
+  for (const int enter : {Qt::Key_Return, Qt::Key_Enter})
+    key(enter, tr("open the chosen line of the worklist"), [this] { openChosen(); });
+  key(Qt::Key_F2, tr("label the chosen case"), [this] {
+    if (const auto* row = chosen(); row && row->can_be_labelled) labelChosen();
+  });
+  key(Qt::Key_F5, tr("put the chosen line back into the queue"), [this] {
+    if (const auto* row = chosen(); row && row->job_id) queue_.retry(row->job_id);
+  });
+  key(Qt::Key_Delete, tr("delete the chosen case, after a question; take a line off the list"),
+      [this] { removeChosen(); });
 }
 
 QWidget* WorklistPage::makeActions() {
@@ -150,6 +176,65 @@ void WorklistPage::labelChosen() {
   view_->edit(name);
 }
 
+QString WorklistPage::removeWords() const {
+  const auto* row = chosen();
+  return row ? row->name : QString();
+}
+
+void WorklistPage::removeChosen() {
+  const auto* row = chosen();
+  if (!row) return;
+  const auto* job = row->job_id ? queue_.job(row->job_id) : nullptr;
+  if (!job) return askToDelete(*row);
+  const bool is_pending = job->state == JobState::queued || job->state == JobState::preparing;
+  is_pending ? queue_.cancel(row->job_id) : queue_.remove(row->job_id);
+}
+
+/// Asks, without holding up the window, before a case goes to the trash.
+void WorklistPage::askToDelete(const WorklistRow& row) {
+  auto* question = new QMessageBox(QMessageBox::Question, tr("FaceNav"), tr("Delete case %1?").arg(row.name),
+                                   QMessageBox::NoButton, this);
+  question->setObjectName("delete_question");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setTextFormat(Qt::PlainText);
+  question->setInformativeText(tr("Its model, targets and sessions go to the trash of this computer and can "
+                                  "be restored from there.\n%1")
+                                   .arg(row.case_folder));
+  auto* keep = question->addButton(tr("Keep it"), QMessageBox::RejectRole);
+  auto* remove = question->addButton(tr("Move to the trash"), QMessageBox::DestructiveRole);
+  question->setDefaultButton(keep);
+  question->setEscapeButton(keep);
+  connect(remove, &QAbstractButton::clicked, this,
+          [this, folder = row.case_folder] { presenter_.moveToTrash(folder); });
+  question->open();
+}
+
+/// Shows what can be done with the chosen line. The keys stand beside it; the table owns them.
+void WorklistPage::showMenu(const QPoint& at) {
+  const auto* row = chosen();
+  if (!row) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName("worklist_menu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& words, const char* keys, auto action) {
+    menu->addAction(*keys ? words + "\t" + QKeySequence(keys).toString(QKeySequence::NativeText) : words,
+                    this, action);
+  };
+  const bool is_case = row->job_id == 0;
+  add(open_->text(), "Return", [this] { openChosen(); });
+  if (row->can_be_labelled) {
+    add(tr("Sign off, or reject the scan\u2026"), "",
+        [this, folder = row->case_folder] { emit signOffWanted(folder); });
+    add(label_->text(), "F2", [this] { labelChosen(); });
+  }
+  for (auto* button : {cancel_, retry_, remove_})
+    if (!button->isHidden())
+      add(button->text(), button == retry_ ? "F5" : "Del", [button] { button->click(); });
+  menu->addSeparator();
+  if (is_case) add(tr("Delete\u2026"), "Del", [this] { removeChosen(); });
+  menu->popup(view_->viewport()->mapToGlobal(at));
+}
+
 void WorklistPage::showState() {
   const auto* row = chosen();
   const auto* job = row && row->job_id ? queue_.job(row->job_id) : nullptr;
@@ -180,18 +265,11 @@ void WorklistPage::chooseFolder() {
 bool WorklistPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   auto* key = static_cast<QKeyEvent*>(event);
-  const auto* row = chosen();
-  if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) return openChosen(), true;
   if (watched == search_) {
+    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) return openChosen(), true;
     if (key->key() == Qt::Key_Escape) return search_->clear(), true;
     if (key->key() != Qt::Key_Down) return false;
     view_->setFocus();
-    return true;
-  }
-  if (row && row->can_be_labelled && key->key() == Qt::Key_F2) return labelChosen(), true;
-  if (row && row->job_id && key->key() == Qt::Key_F5) return queue_.retry(row->job_id), true;
-  if (row && row->job_id && key->key() == Qt::Key_Delete) {
-    cancel_->isVisible() ? queue_.cancel(row->job_id) : queue_.remove(row->job_id);
     return true;
   }
   if (key->text().isEmpty() || !key->text().front().isPrint() || key->modifiers() & Qt::ControlModifier)

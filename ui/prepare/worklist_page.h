@@ -19,9 +19,16 @@ class WorklistPage : public QWidget {
 
  public:
   WorklistPage(WorklistPresenter& presenter, PrepareQueue& queue, QWidget* parent = nullptr);
+  /// True if a line is chosen: a case, which is deleted after a question, or a job, which is taken off the
+  /// list.
+  bool canRemove() const { return chosen() != nullptr; }
+  void removeChosen();
+  /// Name of the chosen line.
+  QString removeWords() const;
 
  signals:
   void caseChosen(const QString& folder);
+  void signOffWanted(const QString& case_folder);
   /// A job that has no case yet was chosen: show its series.
   void inputChosen(const QString& input);
 
@@ -32,6 +39,9 @@ class WorklistPage : public QWidget {
   QWidget* makeHead();
   QWidget* makeActions();
   void makeTable();
+  void addKeys();
+  void showMenu(const QPoint& at);
+  void askToDelete(const WorklistRow& row);
   void openChosen();
   void labelChosen();
   void showState();

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QTimeZone>
+#include <algorithm>
 
 #include "facenav/core/error.h"
 
@@ -182,6 +183,27 @@ void WorklistPresenter::setLabel(const QString& case_folder, const QString& word
     emit refused(QString::fromUtf8(error.what()));
   }
   refresh();
+}
+
+QString WorklistPresenter::moveToTrash(const QString& case_folder) {
+  const QString name = QFileInfo(case_folder).fileName();
+  const bool is_listed = std::any_of(entries_.begin(), entries_.end(), [&](const auto& entry) {
+    return QString::fromStdString(entry.folder.string()) == case_folder;
+  });
+  if (!is_listed) return emit refused(tr("%1 is no case of this list").arg(name)), QString();
+  if (!open_case_.isEmpty() && QFileInfo(case_folder) == QFileInfo(open_case_)) {
+    emit refused(tr("case %1 is open. Open another case first, then delete this one.").arg(name));
+    return {};
+  }
+  QString place;
+  if (!QFile::moveToTrash(case_folder, &place)) {
+    emit refused(
+        tr("case %1 could not be moved to the trash. Delete its folder by hand: %2").arg(name, case_folder));
+    return {};
+  }
+  emit said(tr("case %1 is in the trash: %2").arg(name, place));
+  refresh();
+  return place;
 }
 
 /// Watches the folder and each case in it: a sign-off or a target changes only the case's own folder.

@@ -51,6 +51,11 @@ class WorklistPresenter : public QObject {
   void refresh();
   /// Sets the case's label; empty removes it. refused() says why it failed.
   void setLabel(const QString& case_folder, const QString& words);
+  /// The case that the window works on; it cannot be deleted.
+  void setOpenCase(const QString& case_folder) { open_case_ = case_folder; }
+  /// Moves a case of the list to the desktop's trash. Returns its new place; empty, after refused(), if that
+  /// failed.
+  QString moveToTrash(const QString& case_folder);
 
   const std::vector<WorklistRow>& rows() const { return rows_; }
   /// Why the folder cannot be read; empty if it can.
@@ -60,6 +65,7 @@ class WorklistPresenter : public QObject {
   void changed();
   void labelled(const QString& case_folder, const QString& label);
   void refused(const QString& words);
+  void said(const QString& words);
 
  private:
   void makeRows();
@@ -69,7 +75,7 @@ class WorklistPresenter : public QObject {
   TaskRunner reader_;
   QFileSystemWatcher watcher_;
   QTimer soon_, age_;
-  QString folder_, problem_;
+  QString folder_, problem_, open_case_;
   std::vector<casefile::WorklistEntry> entries_;
   std::vector<WorklistRow> rows_;
   bool is_outdated_ = false;

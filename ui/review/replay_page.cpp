@@ -102,16 +102,18 @@ QWidget* ReplayPage::makeControls() {
 }
 
 void ReplayPage::addKeys() {
-  const auto key = [this](const QKeySequence& keys, auto action) {
+  const auto key = [this](const QKeySequence& keys, const QString& words, auto action) {
     auto* shortcut = new QShortcut(keys, this);
+    shortcut->setWhatsThis(words);
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, this, action);
   };
-  key(Qt::Key_Left, [this] { presenter_.step(-1); });
-  key(Qt::Key_Right, [this] { presenter_.step(1); });
-  key(Qt::SHIFT + Qt::Key_Left, [this] { presenter_.step(-kLeap); });
-  key(Qt::SHIFT + Qt::Key_Right, [this] { presenter_.step(kLeap); });
-  key(Qt::Key_Space, [this] { presenter_.isPlaying() ? presenter_.pause() : presenter_.play(); });
+  key(Qt::Key_Left, tr("one frame back"), [this] { presenter_.step(-1); });
+  key(Qt::Key_Right, tr("one frame on"), [this] { presenter_.step(1); });
+  key(Qt::SHIFT + Qt::Key_Left, tr("%1 frames back").arg(kLeap), [this] { presenter_.step(-kLeap); });
+  key(Qt::SHIFT + Qt::Key_Right, tr("%1 frames on").arg(kLeap), [this] { presenter_.step(kLeap); });
+  key(Qt::Key_Space, tr("play and pause"),
+      [this] { presenter_.isPlaying() ? presenter_.pause() : presenter_.play(); });
 }
 
 void ReplayPage::showCase() {

@@ -24,7 +24,9 @@ ReviewWorkspace::ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& re
     : QWidget(parent), presenter_(presenter), model_(model), pages_(new QStackedWidget(this)) {
   auto* split = new QSplitter(Qt::Horizontal, this);
   split->setChildrenCollapsible(false);
-  split->addWidget(new SessionsPanel(presenter_, split));
+  auto* sessions = new SessionsPanel(presenter_, split);
+  split->addWidget(sessions);
+  connect(sessions, &SessionsPanel::replayWanted, this, [this] { setPage(ReviewPage::replay); });
   auto* right = new QWidget(split);
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);

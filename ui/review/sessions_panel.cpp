@@ -2,8 +2,11 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPersistentModelIndex>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSortFilterProxyModel>
@@ -115,6 +118,56 @@ void SessionsPanel::makePulses() {
             if (row.isValid()) presenter_.mark(table_->numberAt(sorted_->mapToSource(row).row()));
           });
   connect(pulses_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SessionsPanel::showState);
+  pulses_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(pulses_, &QTableView::customContextMenuRequested, this, &SessionsPanel::showMenu);
+}
+
+/// Shows what can be done with the chosen pulses.
+void SessionsPanel::showMenu(const QPoint& at) {
+  const int counted = int(chosen(false).size()), excluded = int(chosen(true).size());
+  if (counted + excluded == 0) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName("pulses_menu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (counted > 0)
+    menu->addAction(counted == 1 ? tr("Exclude\u2026") : tr("Exclude %1 pulses\u2026").arg(counted), this,
+                    &SessionsPanel::excludeChosen);
+  if (excluded > 0)
+    menu->addAction(excluded == 1 ? tr("Take in") : tr("Take in %1 pulses").arg(excluded), include_,
+                    &QPushButton::click);
+  if (counted + excluded == 1) {
+    const QPersistentModelIndex row(pulses_->selectionModel()->selectedRows().front());
+    menu->addSeparator();
+    menu->addAction(tr("Type its MEP\u2026"), this, [this, row] { typeMep(row); });
+    menu->addAction(tr("Show in the replay"), this, [this, row] {
+      if (row.isValid()) presenter_.mark(table_->numberAt(sorted_->mapToSource(row).row()));
+      emit replayWanted();
+    });
+  }
+  menu->popup(pulses_->viewport()->mapToGlobal(at));
+}
+
+void SessionsPanel::typeMep(const QModelIndex& row) {
+  const auto mep = row.siblingAtColumn(PulseTable::columnOf(report::PulseColumn::mep));
+  if (!mep.isValid()) return;
+  pulses_->setFocus();
+  pulses_->setCurrentIndex(mep);
+  pulses_->edit(mep);
+}
+
+/// Excludes the chosen pulses for the typed reason; asks for one if none is typed.
+void SessionsPanel::excludeChosen() {
+  if (!reason_->text().trimmed().isEmpty()) return exclude_->click();
+  auto* question = new QInputDialog(this);
+  question->setObjectName("exclude_question");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setWindowTitle(tr("Exclude pulses"));
+  question->setLabelText(tr("Reason to exclude the chosen pulses. They count no more; nothing is deleted."));
+  connect(question, &QInputDialog::textValueSelected, this,
+          [this, numbers = chosen(false)](const QString& reason) {
+            presenter_.exclude(numbers, reason, by_->text());
+          });
+  question->open();
 }
 
 QWidget* SessionsPanel::makeEdits() {
@@ -145,13 +198,14 @@ QWidget* SessionsPanel::makeEdits() {
   buttons->addStretch(1);
   undo_ = button(tr("Undo"), {}, [this] { presenter_.undo(); });
   redo_ = button(tr("Redo"), {}, [this] { presenter_.redo(); });
-  const auto key = [this](const QKeySequence& keys, auto action) {
+  const auto key = [this](const QKeySequence& keys, const QString& words, auto action) {
     auto* shortcut = new QShortcut(keys, this);
+    shortcut->setWhatsThis(words);
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, this, action);
   };
-  key(QKeySequence::Undo, [this] { presenter_.undo(); });
-  key(QKeySequence::Redo, [this] { presenter_.redo(); });
+  key(QKeySequence::Undo, tr("undo a change to the pulses"), [this] { presenter_.undo(); });
+  key(QKeySequence::Redo, tr("redo a change to the pulses"), [this] { presenter_.redo(); });
   connect(reason_, &QLineEdit::textChanged, this, &SessionsPanel::showState);
   column->addLayout(fields);
   column->addLayout(buttons);

@@ -21,6 +21,10 @@ class SessionsPanel : public QWidget {
  public:
   explicit SessionsPanel(ReviewPresenter& presenter, QWidget* parent = nullptr);
 
+ signals:
+  /// The marked pulse is to be shown in the replay.
+  void replayWanted();
+
  private:
   void makeSessions();
   void makePulses();
@@ -29,6 +33,9 @@ class SessionsPanel : public QWidget {
   void showChosen();
   void showState();
   void showMarked();
+  void showMenu(const QPoint& at);
+  void excludeChosen();
+  void typeMep(const QModelIndex& row);
   std::vector<int> chosen(bool are_excluded) const;
 
   ReviewPresenter& presenter_;

@@ -12,6 +12,7 @@
 #include "setup/marked_picture.h"
 #include "setup/setup_tools.h"
 #include "shell/appearance.h"
+#include "shell/help_window.h"
 #include "shell/image_view.h"
 #include "shell/narrow_label.h"
 #include "shell/scroll_column.h"
@@ -114,6 +115,7 @@ void SetupWindow::makeBottom(QVBoxLayout& column) {
   column.addLayout(row);
   connect(back_, &QPushButton::clicked, this, &SetupWindow::goBack);
   connect(next_, &QPushButton::clicked, this, &SetupWindow::goOn);
+  HelpWindow::addKey(*this, "set-up.md", "in-the-window");
   for (const int key : {Qt::Key_Return, Qt::Key_Enter})
     connect(new QShortcut(key, this), &QShortcut::activated, this, [this] {
       if (next_->isEnabled()) goOn();

@@ -7,9 +7,11 @@
 #include <QPalette>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QSettings>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
 #include <QVariant>
+#include <algorithm>
 #include <cmath>
 
 /// The linker drops a static library's resources unless they are initialised (the macro needs the global
@@ -27,6 +29,7 @@ void prepareSurfaceFormat() {
 namespace {
 
 const char* const kTextScale = "text_scale";  // property of the application
+const char* const kRememberedTextScale = "appearance/text_scale";
 
 QString withTextScaled(QString sheet, double scale) {
   static const QRegularExpression kSize("font-size:\\s*([0-9.]+)pt");
@@ -48,6 +51,12 @@ double textScale() {
   return scale.isValid() ? scale.toDouble() : 1.0;
 }
 
+double rememberedTextScale() {
+  return std::clamp(QSettings().value(kRememberedTextScale, 1.0).toDouble(), kLeastTextScale, kMostTextScale);
+}
+
+void rememberTextScale(double text_scale) { QSettings().setValue(kRememberedTextScale, text_scale); }
+
 int sized(int usual_px) {
   const QScreen* screen = QApplication::primaryScreen();
   const double dots = screen ? screen->logicalDotsPerInch() / 96.0 : 1.0;
@@ -68,6 +77,7 @@ void applyAppearance(QApplication& application, double text_scale) {
   palette.setColor(QPalette::ButtonText, QColor(237, 241, 245));
   palette.setColor(QPalette::Highlight, QColor(38, 92, 140));
   palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, QColor(120, 190, 255));
   palette.setColor(QPalette::ToolTipBase, QColor(32, 39, 48));
   palette.setColor(QPalette::ToolTipText, QColor(237, 241, 245));
   palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(110, 118, 128));

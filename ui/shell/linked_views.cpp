@@ -38,7 +38,9 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
     connect(view, &SliceView::windowChanged, this, [this] { refreshSlices(); });
     connect(view, &SliceView::resetWanted, this, &LinkedViews::resetSlices);
   }
-  connect(new QShortcut(Qt::Key_R, this), &QShortcut::activated, this, &LinkedViews::resetSlices);
+  auto* reset = new QShortcut(Qt::Key_R, this);
+  reset->setWhatsThis(tr("the slices as they were at first: whole, usual brightness"));
+  connect(reset, &QShortcut::activated, this, &LinkedViews::resetSlices);
   connect(scene_view_, &SceneView::picked, this, [this](double x, double y, double z, bool is_brain) {
     setCrosshair({x, y, z});
     emit chosen(x, y, z, !is_brain);

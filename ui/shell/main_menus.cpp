@@ -1,17 +1,26 @@
 // The menus of the main window, and the window for setting up a camera pair.
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QScreen>
+#include <QSplitter>
+#include <algorithm>
+#include <cmath>
 
 #include "facenav/cameras/projector_model.h"
 #include "facenav/core/error.h"
 #include "prepare/prepare_workspace.h"
+#include "prepare/worklist_page.h"
 #include "setup/projector_code_screen.h"
 #include "setup/setup_window.h"
+#include "shell/appearance.h"
+#include "shell/linked_views.h"
 #include "shell/main_window.h"
+#include "shell/screenshot.h"
 #include "shell/task_bar.h"
+#include "shell/work_area.h"
 
 namespace facenav::ui {
 
@@ -58,6 +67,13 @@ void MainWindow::calibrateProjector() {
 }
 
 void MainWindow::addMenus() {
+  addFileMenu();
+  new EditMenu(*menuBar()->addMenu(tr("&Edit")), [this] { return pageEdits(); });
+  addViewMenu();
+  addHelpMenu();
+}
+
+void MainWindow::addFileMenu() {
   auto* file = menuBar()->addMenu(tr("&File"));
   file->addAction(
       tr("&Open case\u2026"), this,
@@ -77,10 +93,82 @@ void MainWindow::addMenus() {
   file->addAction(tr("Calibrate the &projector\u2026"), this, &MainWindow::calibrateProjector);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+}
+
+/// What the page in view lets the Edit menu undo, redo and delete.
+PageEdits MainWindow::pageEdits() {
+  PageEdits edits;
+  if (workspace() == Workspace::prepare && prepareStep() == PrepareStep::worklist) {
+    auto& worklist = prepare_workspace_->worklistPage();
+    if (worklist.canRemove())
+      edits.remove = {[&worklist] { worklist.removeChosen(); }, worklist.removeWords()};
+  }
+  if (workspace() == Workspace::prepare && prepareStep() == PrepareStep::check) {
+    if (edit_.canUndo()) edits.undo.act = [this] { edit_.undo(); };
+    if (edit_.canRedo()) edits.redo.act = [this] { edit_.redo(); };
+  }
+  if (workspace() == Workspace::plan && model_.isOpen()) {
+    if (plan_.canUndo()) edits.undo.act = [this] { plan_.undo(); };
+    if (plan_.canRedo()) edits.redo.act = [this] { plan_.redo(); };
+    const auto* target = plan_.active();
+    if (target && !target->is_locked) edits.remove = {[this] { plan_.removeActive(); }, plan_.activeName()};
+  }
+  if (workspace() == Workspace::review) {
+    const auto& editor = review_.editor();
+    if (editor.canUndo())
+      edits.undo = {[this] { review_.undo(); }, QString::fromStdString(editor.undoWords())};
+    if (editor.canRedo())
+      edits.redo = {[this] { review_.redo(); }, QString::fromStdString(editor.redoWords())};
+  }
+  return edits;
+}
+
+void MainWindow::addViewMenu() {
   auto* view = menuBar()->addMenu(tr("&View"));
+  addTextSizes(*view->addMenu(tr("&Text size")));
+  view->addAction(tr("&Reset the layout"), this, &MainWindow::resetLayout);
   auto* full = view->addAction(tr("&Full screen"), this,
                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   full->setShortcut(Qt::Key_F11);
+  view->addSeparator();
+  view->addAction(
+      tr("&Picture of the window\u2026"), this,
+      [this] {
+        try {
+          if (const QString words = keepScreenshot(*this); !words.isEmpty())
+            task_bar_->showMessage(words, false);
+        } catch (const Error& error) {
+          task_bar_->showMessage(QString::fromUtf8(error.what()), true);
+        }
+      },
+      Qt::CTRL + Qt::SHIFT + Qt::Key_S);
+}
+
+/// Widths are laid out for one size of text, so another size holds from the next start on.
+void MainWindow::addTextSizes(QMenu& sizes) {
+  auto* group = new QActionGroup(&sizes);
+  for (const int percent : {75, 100, 125, 150, 200, 300}) {
+    auto* action = sizes.addAction(tr("%1 %").arg(percent), this, [this, percent] {
+      rememberTextScale(percent / 100.0);
+      task_bar_->showMessage(tr("text of %1 % from the next start on").arg(percent), false);
+    });
+    action->setCheckable(true);
+    action->setChecked(std::lround(100 * rememberedTextScale()) == percent);
+    group->addAction(action);
+  }
+}
+
+/// Gives the window its first size, each divided page its first shares, and the slices their whole pictures.
+void MainWindow::resetLayout() {
+  setWindowState(windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
+  fitIntoWorkArea(*this, kUsualSize);
+  for (auto* split : findChildren<QSplitter*>()) {
+    QList<int> shares;
+    for (int i = 0; i < split->count(); ++i)
+      shares << 1000 * std::max(1, split->widget(i)->sizePolicy().horizontalStretch());
+    split->setSizes(shares);
+  }
+  for (auto* views : findChildren<LinkedViews*>()) views->resetSlices();
 }
 
 }  // namespace facenav::ui

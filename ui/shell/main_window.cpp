@@ -1,6 +1,5 @@
 #include "shell/main_window.h"
 
-#include <QApplication>
 #include <QButtonGroup>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -10,7 +9,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -23,6 +22,7 @@
 #include "shell/appearance.h"
 #include "shell/task_bar.h"
 #include "shell/window_header.h"
+#include "shell/work_area.h"
 #include "treat/treat_workspace.h"
 
 namespace facenav::ui {
@@ -71,16 +71,19 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
-  auto* row = new QHBoxLayout;
+  auto* pages = new QWidget(this);
+  auto* row = new QHBoxLayout(pages);
+  row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(makeNavigation());
   row->addWidget(stack_, 1);
-  column->addLayout(row, 1);
+  auto* page_area = scrolledIfSmall(pages, this);
+  page_area->setObjectName("page_area");
+  column->addWidget(page_area, 1);
   column->addWidget(task_bar_);
   setCentralWidget(centre);
   addMenus();
-  const QSize room = QApplication::primaryScreen()->availableSize();
-  resize(std::min(1480, room.width()), std::min(920, room.height()));
+  fitIntoWorkArea(*this, kUsualSize);
   connectWords();
   connectPrepare();
   connectSteps(*treat_workspace);
@@ -96,6 +99,9 @@ void MainWindow::connectWords() {
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::showCaseWords);
   connect(&model_, &CaseModel::signOffChanged, this, &MainWindow::showCaseWords);
+  connect(&model_, &CaseModel::opened, this, [this] {
+    worklist_.setOpenCase(QString::fromStdString(model_.current().store.folder().string()));
+  });
   connect(&model_, &CaseModel::labelChanged, this, &MainWindow::showCaseWords);
   const auto refuse = [this](const QString& words) { task_bar_->showMessage(words, true); };
   connect(&worklist_, &WorklistPresenter::refused, this, refuse);
@@ -104,8 +110,9 @@ void MainWindow::connectWords() {
   connect(&edit_, &EditPresenter::refused, this, refuse);
   connect(&review_, &ReviewPresenter::refused, this, refuse);
   connect(&replay_, &ReplayPresenter::refused, this, refuse);
-  connect(&review_, &ReviewPresenter::said, this,
-          [this](const QString& words) { task_bar_->showMessage(words, false); });
+  const auto say = [this](const QString& words) { task_bar_->showMessage(words, false); };
+  connect(&review_, &ReviewPresenter::said, this, say);
+  connect(&worklist_, &WorklistPresenter::said, this, say);
 }
 
 void MainWindow::connectPrepare() {
@@ -116,6 +123,8 @@ void MainWindow::connectPrepare() {
           model_.setLabel(label);
       });
   connect(prepare_workspace_, &PrepareWorkspace::caseChosen, this, &MainWindow::openCase);
+  connect(prepare_workspace_, &PrepareWorkspace::signOffWanted, this,
+          [this](const QString& folder) { openCaseAt(folder, PrepareStep::sign_off); });
   connect(&queue_, &PrepareQueue::prepared, this, [this](const QString&, const QString& case_id) {
     if (!tasks_.isRunning()) task_bar_->showMessage(tr("case %1 is prepared: check it").arg(case_id), false);
   });

@@ -15,6 +15,8 @@
 #include "prepare/worklist_presenter.h"
 #include "review/replay_presenter.h"
 #include "review/review_presenter.h"
+#include "shell/edit_menu.h"
+#include "shell/shortcut_list.h"
 #include "treat/treat_presenter.h"
 
 class QStackedWidget;
@@ -65,6 +67,10 @@ class MainWindow : public QMainWindow {
   const WorklistPresenter& worklist() const { return worklist_; }
   ReviewPresenter& review() { return review_; }
   ReplayPresenter& replay() { return replay_; }
+  /// All keyboard shortcuts of the window, by workspace.
+  std::vector<ShortcutLine> shortcuts() const;
+  /// Opens the manual where it describes the page in view.
+  void showHelp();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -77,6 +83,12 @@ class MainWindow : public QMainWindow {
   void connectSteps(TreatWorkspace& treat_workspace);
   QWidget* makeNavigation();
   void addMenus();
+  void addFileMenu();
+  void addViewMenu();
+  void addTextSizes(QMenu& sizes);
+  void addHelpMenu();
+  PageEdits pageEdits();
+  void resetLayout();
   void calibrateProjector();
   void showCaseWords();
   void showLive(const ReadOut& read_out);
@@ -88,6 +100,7 @@ class MainWindow : public QMainWindow {
   void askBeforeClosing();
   void showEnded(const QString& session);
 
+  static constexpr QSize kUsualSize{1480, 920};
   Services services_;
   TaskRunner tasks_;
   CaseModel model_;

@@ -8,6 +8,11 @@
 #include "shell/status_chip.h"
 
 namespace facenav::ui {
+namespace {
+
+constexpr int kGap_px = 40;  // between the name, the case and the states
+
+}  // namespace
 
 WindowHeader::WindowHeader(QWidget* parent)
     : QFrame(parent),
@@ -15,18 +20,18 @@ WindowHeader::WindowHeader(QWidget* parent)
       cameras_(new StatusChip(tr("CAMERAS no images"), this)),
       face_(new StatusChip(tr("FACE tracked"), this)),
       coil_(new StatusChip(tr("COIL tracked"), this)),
+      name_(new QLabel(tr("FaceNav"), this)),
       timing_(new QLabel(this)) {
   setObjectName("header");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 8, 16, 8);
-  auto* name = new QLabel(tr("FaceNav"), this);
-  name->setObjectName("name");
+  name_->setObjectName("name");
   case_words_->setObjectName("muted");
   timing_->setObjectName("muted");
   timing_->setMinimumWidth(sized(170));
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
-  row->addWidget(name);
+  row->addWidget(name_);
   row->addSpacing(12);
   row->addWidget(case_words_, 1);
   for (QWidget* widget :
@@ -45,9 +50,30 @@ void WindowHeader::setLive(const ReadOut& read_out) {
 }
 
 void WindowHeader::showLiveStates(bool are_shown) {
-  for (QWidget* widget : {static_cast<QWidget*>(cameras_), static_cast<QWidget*>(face_),
-                          static_cast<QWidget*>(coil_), static_cast<QWidget*>(timing_)})
-    widget->setVisible(are_shown);
+  are_live_ = are_shown;
+  for (auto* chip : {cameras_, face_, coil_}) chip->setVisible(are_shown);
+  fit();
+}
+
+QSize WindowHeader::minimumSizeHint() const {
+  const QMargins margins = layout()->contentsMargins();
+  int width_px = margins.left() + margins.right();
+  for (const auto* chip : {cameras_, face_, coil_})
+    if (are_live_) width_px += chip->sizeHint().width() + layout()->spacing();
+  return {width_px, QFrame::minimumSizeHint().height()};
+}
+
+/// Hides what there is no room for; the live states are always shown.
+void WindowHeader::fit() {
+  const int room_px = width() - minimumSizeHint().width() - sized(kGap_px);
+  const int name_px = name_->sizeHint().width();
+  name_->setVisible(name_px <= room_px);
+  timing_->setVisible(are_live_ && name_px + timing_->minimumWidth() <= room_px);
+}
+
+void WindowHeader::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit();
 }
 
 }  // namespace facenav::ui

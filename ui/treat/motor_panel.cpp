@@ -75,6 +75,7 @@ QWidget* MotorPanel::makeAnswers() {
     const auto answer = [this, has_response = has_response] { motor_.answer(has_response); };
     auto* shortcut = new QShortcut(key, this);
     shortcut->setAutoRepeat(false);
+    shortcut->setWhatsThis(button->toolTip().section(" (", 0, 0));
     connect(shortcut, &QShortcut::activated, this, answer);
     connect(button, &QPushButton::clicked, this, answer);
   }

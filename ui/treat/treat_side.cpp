@@ -64,6 +64,7 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
   column->addWidget(pulses_);
   column->addWidget(new CheckRow(check, treat, this));
   auto* key = new QShortcut(Qt::Key_P, this);
+  key->setWhatsThis(tr("a pulse was given now"));
   key->setAutoRepeat(false);  // a key that is held down is one pulse
   connect(key, &QShortcut::activated, pulses_, &PulseRow::take);
 }
