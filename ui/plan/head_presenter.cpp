@@ -90,7 +90,10 @@ std::optional<Point<Mri>> HeadPresenter::site(const QString& name) {
   const auto* all = measures();
   if (all)
     attempt([&] {
-      place = name == "Beam F3" ? all->beamF3().point : all->eegSites().find(name.toStdString()).point;
+      if (name == "Beam F3" || name == "Beam F4")
+        place = all->beamF3(name == "Beam F3" ? guidance::Side::left : guidance::Side::right).point;
+      else
+        place = all->eegSites().find(name.toStdString()).point;
     });
   return place;
 }

@@ -261,6 +261,21 @@ TEST_F(PlanEditorTest, AClickOnTheScalpPutsTheCoilThere) {
   EXPECT_LT(aim.head<2>().norm(), 1e-6) << "the cortex point lies on the axis";
 }
 
+TEST(Presets, EachOfTheLeftHasOneOfTheRight) {
+  for (const auto& preset : presets()) {
+    if (!preset.mni) continue;
+    const auto isMirrored = [&](const Preset& other) {
+      return other.mni &&
+             other.mni->mm == Eigen::Vector3d(-preset.mni->mm.x(), preset.mni->mm.y(), preset.mni->mm.z());
+    };
+    EXPECT_TRUE(std::any_of(presets().begin(), presets().end(), isMirrored)) << preset.name;
+  }
+  EXPECT_EQ(presetNamed("dlpfc-fox-right").mni->mm, Eigen::Vector3d(38, 44, 26));
+  EXPECT_EQ(presetNamed("dlpfc-fox-right").words, "right DLPFC, MNI 38 44 26");
+  EXPECT_EQ(presetNamed("dlpfc-group-right").mni->mm, Eigen::Vector3d(42, 44, 30));
+  EXPECT_FALSE(presetNamed("beam-f4").mni);
+}
+
 TEST(Presets, AreFoundByNameAndListedWhenThereIsNone) {
   EXPECT_EQ(presetNamed("M1-Hand-Left").mni->mm, Eigen::Vector3d(-37, -21, 58));
   EXPECT_EQ(presetNamed("m1-hand-right").mni->mm, Eigen::Vector3d(37, -21, 58));
