@@ -4,6 +4,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/plan/case_landmarks.h"
+#include "shell/author.h"
 
 namespace facenav::ui {
 
@@ -50,8 +51,8 @@ const steps::HeadMeasures* HeadPresenter::measures() {
 void HeadPresenter::setLandmark(surface::Landmark which, const Point<Mri>& p) {
   attempt([&] {
     const auto& current = model_.current();
-    const std::string by = qgetenv("USER").toStdString();
-    measures_.emplace(current.scalp, steps::setLandmark(current.store, *current.scalp, which, p, by));
+    measures_.emplace(current.scalp,
+                      steps::setLandmark(current.store, *current.scalp, which, p, recordedAuthor()));
     emit changed();
   });
 }

@@ -30,6 +30,7 @@ class SessionsPanel : public QWidget {
   void showState();
   void showMarked();
   std::vector<int> chosen(bool are_excluded) const;
+  QString by() const;
 
   ReviewPresenter& presenter_;
   PulseTable* table_;
