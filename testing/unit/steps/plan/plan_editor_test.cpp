@@ -112,7 +112,7 @@ TEST_F(PlanEditorTest, TwoNudgesOfOneMillimetreHardlyTurnTheHandle) {
         const double before_deg = handle_deg();
         const Eigen::Matrix3d before = editor_.active()->mri_T_target.rotation();
         for (int i = 0; i < 2; ++i) editor_.nudge(x, y);
-        EXPECT_NEAR(handle_deg(), before_deg, 2.5) << place.transpose();
+        EXPECT_NEAR(handle_deg(), before_deg, 3.5) << place.transpose();  // a ball of facets
         const Eigen::Matrix3d after = editor_.active()->mri_T_target.rotation();
         const Eigen::Vector3d carried =
             Eigen::Quaterniond::FromTwoVectors(before.col(2), after.col(2)) * before.col(1);
