@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QtTest/QTest>
 #include <filesystem>
@@ -139,16 +140,20 @@ TEST_F(PlanPresenterTest, TakesTypedHandleAngleAndGapAndUndoesThem) {
 
 TEST_F(PlanPresenterTest, RefusesAnAngleOrAGapThatCannotBeInOneLineAndChangesNothing) {
   plan("spot", 45, 4.0);
-  const auto refuses = [&](void (PlanPresenter::*set)(const QString&), const char* typed) {
-    refusal_.clear();
-    (presenter_.*set)(typed);
-    return !refusal_.isEmpty() && !refusal_.contains('\n') && !presenter_.canUndo();
+  const auto refuses = [&](QString (PlanPresenter::*set)(const QString&), const char* typed) {
+    const QString why = (presenter_.*set)(typed);
+    return !why.isEmpty() && !why.contains('\n') && !presenter_.canUndo();
   };
   for (const char* typed : {"", "left", "181", "-190", "nan", "1,2,3", "4 5"})
     EXPECT_TRUE(refuses(&PlanPresenter::setHandle, typed)) << typed;
   for (const char* typed : {"", "thick", "-1", "20,5", "400", "inf"})
     EXPECT_TRUE(refuses(&PlanPresenter::setGap, typed)) << typed;
   EXPECT_NEAR(guidance::hairGap_mm(*presenter_.active()), 4.0, 1e-9);
+  EXPECT_TRUE(
+      presenter_.setGap("99").startsWith("'99' is not taken: a gap for hair lies between 0 and 20 mm"))
+      << presenter_.setGap("99").toStdString();
+  presenter_.lockActive(true);
+  EXPECT_TRUE(presenter_.setGap("5").contains("locked"));
 }
 
 TEST_F(PlanPresenterTest, TheFieldsShowTheActiveTargetAndGoBackToWhatHoldsWhenRefused) {
@@ -169,10 +174,22 @@ TEST_F(PlanPresenterTest, TheFieldsShowTheActiveTargetAndGoBackToWhatHoldsWhenRe
   type(fields[0], "60");
   EXPECT_NEAR(presenter_.handleAngle_deg(*presenter_.active()), 60, 1e-6);
   EXPECT_EQ(fields[0]->text(), "+60");
+  const auto fault = [&] {
+    for (auto* label : panel.findChildren<QLabel*>("fault"))
+      if (!label->isHidden()) return label->text();
+    return QString();
+  };
   type(fields[1], "99");
-  EXPECT_FALSE(refusal_.isEmpty());
+  EXPECT_TRUE(fault().contains("between 0 and 20 mm")) << fault().toStdString();
   EXPECT_EQ(fields[1]->text(), "3.0");
+  QApplication::processEvents();
+  EXPECT_FALSE(fault().isEmpty()) << "it stays until it is read";
+  QTest::keyClicks(fields[1], "1");
+  EXPECT_TRUE(fault().isEmpty()) << "something else is typed";
+  type(fields[1], "-4");
+  EXPECT_FALSE(fault().isEmpty());
   presenter_.undo();
+  EXPECT_TRUE(fault().isEmpty()) << "something else is done";
   EXPECT_EQ(fields[0]->text(), "-10");
 }
 
@@ -203,7 +220,7 @@ TEST_F(PlanPresenterTest, AStepThatCouldNotBeWrittenCanStillBeUndoneAndDoneAgain
   EXPECT_FALSE(presenter_.canUndo());
 }
 
-TEST_F(PlanPresenterTest, UndoAndRedoMakeTheTargetActiveThatTheyChanged) {
+TEST_F(PlanPresenterTest, UndoAndRedoKeepTheActiveTarget) {
   presenter_.addTarget(Point<Mri>(-40, 5, 60));
   const QString first = presenter_.activeName();
   presenter_.addTarget(Point<Mri>(40, 5, 60));
@@ -214,7 +231,8 @@ TEST_F(PlanPresenterTest, UndoAndRedoMakeTheTargetActiveThatTheyChanged) {
   EXPECT_EQ(presenter_.activeName(), first);
   presenter_.setActive(second);
   presenter_.redo();
-  EXPECT_EQ(presenter_.activeName(), first);
+  EXPECT_EQ(presenter_.activeName(), second) << "it was chosen since";
+  presenter_.setActive(first);
   presenter_.renameActive("M1");
   presenter_.undo();
   EXPECT_EQ(presenter_.activeName(), first);

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "facenav/guidance/handle.h"
 #include "shell/appearance.h"
 #include "shell/image_view.h"
 #include "shell/window_drag.h"
@@ -12,8 +13,8 @@
 namespace facenav::ui {
 namespace {
 
-/// Returns the longest wording that fits: "along: cortex 27 mm deep", "cortex 27 mm deep" or "27 mm". A
-/// figure that is cut off would be misread.
+/// Returns the longest wording that fits: "along: cortex 27 mm below the scalp", that without "along", or "27
+/// mm". A figure that is cut off would be misread.
 QString longestFitting(const QString& words, const QFontMetrics& metrics, int room_px) {
   static const QRegularExpression kFigure("[0-9.]+ mm");
   for (const QString& shorter : {words, words.section(": ", -1)})
@@ -26,6 +27,7 @@ QString longestFitting(const QString& words, const QFontMetrics& metrics, int ro
 
 CoilSliceView::CoilSliceView(scene::CoilCut cut, QWidget* parent) : QWidget(parent), cut_(cut) {
   setMinimumSize(150, 120);
+  setFocusPolicy(Qt::ClickFocus);  // the arrow keys of Plan
   setToolTip(cut == scene::CoilCut::along_handle
                  ? tr("the MRI along the coil's axis and its handle, which is on the left; a tick is 10 mm; "
                       "ring and lines beside the beam: 95 % of the errors at the target are smaller")
@@ -68,7 +70,7 @@ QString CoilSliceView::caption() const {
     if (target.name == scene_->active_target) {
       const auto passing = scene::beamPassing(coil_->mri_T_coil, target.cortex_point);
       return cut_ == scene::CoilCut::along_handle
-                 ? tr("along: cortex %1 mm deep").arg(passing.depth_mm, 0, 'f', 0)
+                 ? tr("along: cortex %1 mm below the scalp").arg(guidance::cortexDepth_mm(target), 0, 'f', 0)
                  : tr("across: beam %1 mm off").arg(passing.miss_mm, 0, 'f', 1);
     }
   return name;

@@ -27,7 +27,7 @@ class CoilSliceView : public QWidget {
   void reset();
   /// True while a slice is drawn.
   bool showsSlice() const { return coil_ && scene_ && scene_->mri; }
-  /// "along: cortex 21 mm deep", "across: beam 0.4 mm off"; "along the handle" without a target.
+  /// "along: cortex 21 mm below the scalp", "across: beam 0.4 mm off"; "along the handle" without a target.
   QString caption() const;
   /// "ring: 95 % within 1.6 mm"; empty where it is not known.
   QString boundWords() const;

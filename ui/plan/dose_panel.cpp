@@ -33,6 +33,10 @@ DosePanel::DosePanel(PlanPresenter& presenter, QWidget* parent) : QFrame(parent)
   connect(is_own_, &QCheckBox::clicked, this,
           [this](bool is_own) { is_own ? apply() : presenter_.setDose(std::nullopt); });
   connect(&presenter_, &PlanPresenter::changed, this, &DosePanel::showPlan);
+  connect(&presenter_, &PlanPresenter::refused, this, [this](const QString& words) {
+    fault_->setText(words);
+    fault_->show();
+  });
   showPlan();
 }
 
@@ -82,6 +86,10 @@ void DosePanel::makeFields() {
   duration_ = label(tr("takes"));
   form->addRow(
       apply_ = button(tr("Apply to the target"), tr("sessions at this target count against these numbers")));
+  fault_ = new QLabel(this);
+  fault_->setObjectName("fault");
+  fault_->setWordWrap(true);
+  form->addRow(fault_);
   coil_ = label(tr("coil"));
   library_coil_ = new QComboBox(this);
   library_coil_->setToolTip(tr("a coil of the library ('facenav coil add'), by its name"));
@@ -91,6 +99,7 @@ void DosePanel::makeFields() {
 }
 
 void DosePanel::showPlan() {
+  fault_->hide();
   protocol_->setText(presenter_.protocolWords());
   coil_->setText(presenter_.coilWords());
   library_coil_->clear();

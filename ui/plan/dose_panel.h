@@ -31,7 +31,7 @@ class DosePanel : public QFrame {
   void apply();
 
   PlanPresenter& presenter_;
-  QLabel *protocol_, *coil_, *duration_;
+  QLabel *protocol_, *coil_, *duration_, *fault_;
   QPushButton *choose_, *remove_, *choose_coil_, *apply_;
   QComboBox* library_coil_;
   QCheckBox* is_own_;

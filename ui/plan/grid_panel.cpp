@@ -3,6 +3,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGuiApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -37,23 +39,44 @@ GridPanel::GridPanel(PlanPresenter& presenter, QWidget* parent) : QFrame(parent)
   remove_->setToolTip(tr("removes its targets; those that were edited by hand stay"));
   form->addRow(make_);
   form->addRow(remove_);
+  fault_ = new QLabel(this);
+  fault_->setObjectName("fault");
+  fault_->setWordWrap(true);
+  fault_->hide();
+  form->addRow(fault_);
   connect(make_, &QPushButton::clicked, this, &GridPanel::make);
-  connect(remove_, &QPushButton::clicked, this, [this] {
-    presenter_.setGrid(std::nullopt);
-    emit done();
-  });
+  connect(remove_, &QPushButton::clicked, this, [this] { set(std::nullopt); });
+  connect(&presenter_, &PlanPresenter::refused, this, &GridPanel::showFault);
   connect(&presenter_, &PlanPresenter::changed, this, &GridPanel::showActive);
   showActive();
 }
 
+/// Sets or removes the grid. A refusal stays in sight; else the panel is done.
+void GridPanel::set(const std::optional<guidance::GridSpec>& grid) {
+  showFault({});
+  presenter_.setGrid(grid);
+  if (fault_->text().isEmpty()) emit done();
+}
+
+void GridPanel::showFault(const QString& words) {
+  fault_->setText(words);
+  fault_->setVisible(!words.isEmpty());
+}
+
+/// Makes the grid, which takes a few seconds if it is large; button and pointer say so.
 void GridPanel::make() {
-  presenter_.setGrid(
-      guidance::GridSpec{rows_->value(), columns_->value(), spacing_->value(),
+  const QString words = make_->text();
+  make_->setText(tr("Making the grid \u2026"));
+  make_->repaint();
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  set(guidance::GridSpec{rows_->value(), columns_->value(), spacing_->value(),
                          on_->currentIndex() == 1 ? guidance::GridOn::cortex : guidance::GridOn::scalp});
-  emit done();
+  QGuiApplication::restoreOverrideCursor();
+  make_->setText(words);
 }
 
 void GridPanel::showActive() {
+  showFault({});
   const auto* target = presenter_.active();
   make_->setEnabled(target);
   remove_->setEnabled(target && target->grid);

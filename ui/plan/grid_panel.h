@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QPushButton;
 class QSpinBox;
 
@@ -23,6 +24,8 @@ class GridPanel : public QFrame {
 
  private:
   void make();
+  void set(const std::optional<guidance::GridSpec>& grid);
+  void showFault(const QString& words);
   void showActive();
 
   PlanPresenter& presenter_;
@@ -30,6 +33,7 @@ class GridPanel : public QFrame {
   QDoubleSpinBox* spacing_;
   QComboBox* on_;
   QPushButton *make_, *remove_;
+  QLabel* fault_;
 };
 
 }  // namespace facenav::ui

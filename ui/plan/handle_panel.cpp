@@ -5,6 +5,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "shell/narrow_label.h"
+
 namespace facenav::ui {
 
 HandlePanel::HandlePanel(PlanPresenter& presenter, QWidget* parent) : QFrame(parent), presenter_(presenter) {
@@ -16,47 +18,77 @@ HandlePanel::HandlePanel(PlanPresenter& presenter, QWidget* parent) : QFrame(par
                  &PlanPresenter::setHandle);
   gap_ = field(tr("gap, mm"), tr("between coil and skin, for hair: 0 to 20 mm (Return)"),
                &PlanPresenter::setGap);
-  auto* left = new QPushButton(tr("\u21ba 5\u00b0"), this);
-  auto* right = new QPushButton(tr("\u21bb 5\u00b0"), this);
-  left->setToolTip(tr("turn the handle anticlockwise, seen from above the coil (Q)"));
-  right->setToolTip(tr("turn the handle clockwise, seen from above the coil (E)"));
-  for (auto* button : {left, right}) button->setObjectName("tool");
-  const auto word = [this](const QString& words) {
-    auto* made = new QLabel(words, this);
-    made->setObjectName("muted");
-    return made;
-  };
-  grid->addWidget(word(tr("handle \u00b0")), 0, 0);
-  grid->addWidget(angle_, 0, 1);
-  grid->addWidget(left, 0, 2);
-  grid->addWidget(right, 0, 3);
-  grid->addWidget(word(tr("gap mm")), 1, 0);
-  grid->addWidget(gap_, 1, 1);
+  left_ = new QPushButton(tr("\u21ba 5\u00b0"), this);
+  right_ = new QPushButton(tr("\u21bb 5\u00b0"), this);
+  left_->setToolTip(
+      tr("turn the handle anticlockwise, seen from above the coil (Ctrl+left arrow while a view has the "
+         "focus)"));
+  right_->setToolTip(
+      tr("turn the handle clockwise, seen from above the coil (Ctrl+right arrow while a view has the "
+         "focus)"));
+  for (auto* button : {left_, right_}) button->setObjectName("tool");
+  addRow(*grid, 0, tr("handle \u00b0"), angle_);
+  grid->addWidget(left_, 0, 2);
+  grid->addWidget(right_, 0, 3);
+  addRow(*grid, 2, tr("gap mm"), gap_);
+  contact_ = new QLabel(this);
+  contact_->setObjectName("muted");
+  contact_->setToolTip(tr(
+      "handle: 0\u00b0 points straight back, + turns its front to the midline; over forehead and occiput it "
+      "is measured from superior; below: how the coil's plate stands on the head"));
+  makeNarrow(*contact_);
+  grid->addWidget(contact_, 4, 0, 1, 4);
   grid->setColumnStretch(1, 1);
-  connect(left, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
-  connect(right, &QPushButton::clicked, this, [this] { presenter_.turnActive(5); });
-  connect(&presenter_, &PlanPresenter::changed, this, &HandlePanel::showFigures);
-  showFigures();
+  connect(left_, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
+  connect(right_, &QPushButton::clicked, this, [this] { presenter_.turnActive(5); });
+  connect(&presenter_, &PlanPresenter::changed, this, &HandlePanel::showPlan);
+  showPlan();
 }
 
-QLineEdit* HandlePanel::field(const QString& name, const QString& tip,
-                              void (PlanPresenter::*set)(const QString&)) {
-  auto* made = new QLineEdit(this);
-  made->setAccessibleName(name);
-  made->setToolTip(tip);
-  connect(made, &QLineEdit::editingFinished, this, [this, made, set] {
-    if (!made->isModified()) return;
-    made->setModified(false);
-    (presenter_.*set)(made->text());
+HandlePanel::Field HandlePanel::field(const QString& name, const QString& tip,
+                                      QString (PlanPresenter::*set)(const QString&)) {
+  const Field made{new QLineEdit(this), new QLabel(this)};
+  made.line->setAccessibleName(name);
+  made.line->setToolTip(tip);
+  made.fault->setObjectName("fault");
+  makeNarrow(*made.fault);
+  made.fault->hide();
+  connect(made.line, &QLineEdit::textEdited, made.fault, &QLabel::hide);
+  connect(made.line, &QLineEdit::editingFinished, this, [this, made, set] {
+    if (!made.line->isModified()) return;
+    made.line->setModified(false);
+    const QString why = (presenter_.*set)(made.line->text());
     showFigures();  // after a refusal, too: the field shows the valid value again
+    made.fault->setText(why);
+    made.fault->setVisible(!why.isEmpty());
   });
   return made;
 }
 
+void HandlePanel::addRow(QGridLayout& grid, int row, const QString& words, const Field& field) {
+  auto* label = new QLabel(words, this);
+  label->setObjectName("muted");
+  grid.addWidget(label, row, 0);
+  grid.addWidget(field.line, row, 1);
+  grid.addWidget(field.fault, row + 1, 0, 1, 4);
+}
+
 void HandlePanel::showFigures() {
-  angle_->setText(presenter_.handleFigure());
-  gap_->setText(presenter_.gapFigure());
-  for (auto* field : {angle_, gap_}) field->setEnabled(presenter_.active() != nullptr);
+  angle_.line->setText(presenter_.handleFigure());
+  gap_.line->setText(presenter_.gapFigure());
+}
+
+void HandlePanel::showPlan() {
+  showFigures();
+  const auto* active = presenter_.active();
+  const bool may_change = active && !active->is_locked;
+  for (const auto& field : {angle_, gap_}) {
+    field.line->setEnabled(may_change);
+    field.fault->hide();
+  }
+  for (auto* button : {left_, right_}) button->setEnabled(may_change);
+  contact_->setText(active ? presenter_.handleWords(*active) + "\n" + presenter_.contactWords(*active)
+                           : QString());
 }
 
 }  // namespace facenav::ui

@@ -1,11 +1,15 @@
 #pragma once
-// HandlePanel: the active target's handle angle and gap, typed or changed step by step.
+// HandlePanel: the active target's handle angle, gap and tilt; the first two are typed or changed step by
+// step. A value that is refused is explained below its field until something else is typed or done.
 
 #include <QFrame>
 
 #include "plan/plan_presenter.h"
 
+class QGridLayout;
+class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace facenav::ui {
 
@@ -16,11 +20,20 @@ class HandlePanel : public QFrame {
   explicit HandlePanel(PlanPresenter& presenter, QWidget* parent = nullptr);
 
  private:
-  QLineEdit* field(const QString& name, const QString& tip, void (PlanPresenter::*set)(const QString&));
+  /// A field for one number, and why the last one was refused.
+  struct Field {
+    QLineEdit* line;
+    QLabel* fault;
+  };
+  Field field(const QString& name, const QString& tip, QString (PlanPresenter::*set)(const QString&));
+  void addRow(QGridLayout& grid, int row, const QString& words, const Field& field);
   void showFigures();
+  void showPlan();
 
   PlanPresenter& presenter_;
-  QLineEdit *angle_, *gap_;
+  Field angle_, gap_;
+  QLabel* contact_;
+  QPushButton *left_, *right_;
 };
 
 }  // namespace facenav::ui

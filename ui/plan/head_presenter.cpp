@@ -4,6 +4,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/plan/case_landmarks.h"
+#include "shell/author.h"
 
 namespace facenav::ui {
 
@@ -50,8 +51,8 @@ const steps::HeadMeasures* HeadPresenter::measures() {
 void HeadPresenter::setLandmark(surface::Landmark which, const Point<Mri>& p) {
   attempt([&] {
     const auto& current = model_.current();
-    const std::string by = qgetenv("USER").toStdString();
-    measures_.emplace(current.scalp, steps::setLandmark(current.store, *current.scalp, which, p, by));
+    measures_.emplace(current.scalp,
+                      steps::setLandmark(current.store, *current.scalp, which, p, recordedAuthor()));
     emit changed();
   });
 }
@@ -90,7 +91,10 @@ std::optional<Point<Mri>> HeadPresenter::site(const QString& name) {
   const auto* all = measures();
   if (all)
     attempt([&] {
-      place = name == "Beam F3" ? all->beamF3().point : all->eegSites().find(name.toStdString()).point;
+      if (name == "Beam F3" || name == "Beam F4")
+        place = all->beamF3(name == "Beam F3" ? guidance::Side::left : guidance::Side::right).point;
+      else
+        place = all->eegSites().find(name.toStdString()).point;
     });
   return place;
 }

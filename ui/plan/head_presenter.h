@@ -25,8 +25,8 @@ class HeadPresenter : public QObject {
   void findAgain(surface::Landmark which);
   /// "nasion  R1 A84 I40  ± 2 mm, by hand", one per line.
   QString describe();
-  /// Position of an EEG site, or Beam F3. Returns nothing, with a reason by refused(), if it cannot be
-  /// measured.
+  /// Position of an EEG site, "Beam F3" or "Beam F4". Returns nothing, with a reason by refused(), if it
+  /// cannot be measured.
   std::optional<Point<Mri>> site(const QString& name);
   /// All EEG sites on the skin; empty, with a reason by refused(), if they cannot be measured.
   std::vector<guidance::EegSite> sites();

@@ -31,8 +31,8 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
       tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "
          "(Ctrl+G)"));
   target_ = new QPushButton(tr("Target at the crosshair"), this);
-  target_->setToolTip(tr("a target at the cortex under it (T)"));
-  target_->setShortcut(Qt::Key_T);
+  target_->setToolTip(tr("a target at the cortex under it (Ctrl+T)"));
+  target_->setShortcut(Qt::CTRL + Qt::Key_T);
   fault_->setObjectName("fault");
   makeNarrow(*fault_);
   fault_->hide();

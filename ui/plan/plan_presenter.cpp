@@ -10,6 +10,7 @@
 #include "facenav/guidance/handle.h"
 #include "facenav/plan/coil_slice_sheet.h"
 #include "plan/typed_coordinates.h"
+#include "shell/author.h"
 
 namespace facenav::ui {
 namespace {
@@ -56,8 +57,7 @@ steps::PlannedCase PlanPresenter::planned() {
             return steps::PlannedHead{c.scalp, c.head_mask, c.brain, c.coil.plate};
           },
           [this](const guidance::TreatmentPlan& next) { model_.setPlan(next); },
-          [](int n) { return tr("Target %1").arg(n).toStdString(); },
-          [] { return qgetenv("USER").toStdString(); }};
+          [](int n) { return tr("Target %1").arg(n).toStdString(); }, recordedAuthor};
 }
 
 const guidance::TreatmentPlan& PlanPresenter::plan() const {
@@ -82,17 +82,24 @@ std::optional<scene::SlicedCoil> PlanPresenter::slicedCoil() const {
 }
 
 template <class Edit>
-void PlanPresenter::attempt(Edit edit, const QString& name) {
-  if (!model_.isOpen()) return;
+QString PlanPresenter::refusalOf(Edit edit, const QString& name) {
+  if (!model_.isOpen()) return {};
   try {
     edit();
     emit changed();
+    return {};
   } catch (const steps::PlanRefused& refusal) {
-    emit refused(wordsOf(refusal, name));
     if (refusal.refusal() == steps::PlanRefusal::name_taken) emit changed();  // shows the old name again
+    return wordsOf(refusal, name);
   } catch (const std::exception& error) {  // includes errors of the file system
-    emit refused(QString::fromUtf8(error.what()));
+    return QString::fromUtf8(error.what());
   }
+}
+
+template <class Edit>
+void PlanPresenter::attempt(Edit edit, const QString& name) {
+  const QString why = refusalOf(edit, name);
+  if (!why.isEmpty()) emit refused(why);
 }
 
 void PlanPresenter::addTarget(const Point<Mri>& cortex_point) {
@@ -119,10 +126,6 @@ void PlanPresenter::removeActive() {
   if (active()) attempt([&] { editor_.remove(); });
 }
 
-void PlanPresenter::replaceActive(const guidance::Target& target) {
-  if (active()) attempt([&] { editor_.replace(target); });
-}
-
 void PlanPresenter::renameActive(const QString& name) {
   const QString wanted = name.trimmed();
   if (!active() || wanted.isEmpty() || wanted == activeName()) return;
@@ -134,26 +137,25 @@ void PlanPresenter::turnActive(double degrees) {
 }
 
 template <class Change>
-void PlanPresenter::setTyped(const QString& typed, const QString& unit, Change change) {
+QString PlanPresenter::setTyped(const QString& typed, const QString& unit, Change change) {
   const auto* target = active();
-  if (!target) return;
+  if (!target) return {};
+  const QString words = typed.trimmed();
+  if (words.isEmpty()) return tr("a number is expected");
   const auto number = readNumber(typed, unit);
-  if (!number) return void(emit refused(tr("'%1' is no number").arg(typed.trimmed())));
-  try {
-    replaceActive(change(*target, *number));
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-  }
+  const QString why =
+      number ? refusalOf([&] { editor_.replace(change(*target, *number)); }) : tr("that is no number");
+  return why.isEmpty() ? why : tr("'%1' is not taken: %2").arg(words, why);
 }
 
-void PlanPresenter::setHandle(const QString& typed) {
-  setTyped(typed, QString(QChar(0xb0)), [this](const guidance::Target& target, double degrees) {
+QString PlanPresenter::setHandle(const QString& typed) {
+  return setTyped(typed, QString(QChar(0xb0)), [this](const guidance::Target& target, double degrees) {
     return guidance::withHandleAngle(target, *model_.current().scalp, degrees * kRadPerDeg);
   });
 }
 
-void PlanPresenter::setGap(const QString& typed) {
-  setTyped(typed, tr("mm"), [](const guidance::Target& target, double gap_mm) {
+QString PlanPresenter::setGap(const QString& typed) {
+  return setTyped(typed, tr("mm"), [](const guidance::Target& target, double gap_mm) {
     return guidance::withHairGap(target, gap_mm);
   });
 }
@@ -322,16 +324,21 @@ QString PlanPresenter::compareWords(const QString& other) const {
       .arg(std::lround(d.twist_rad * kDegPerRad));
 }
 
+QString PlanPresenter::depthWords(const guidance::Target& target) const {
+  return tr("cortex %1 mm below the scalp").arg(guidance::cortexDepth_mm(target), 0, 'f', 0);
+}
+
 QString PlanPresenter::describe(const guidance::Target& target) const {
   const Eigen::Vector3d& c = target.cortex_point.mm;
   const auto side = [](double mm, const QString& positive, const QString& negative) {
     return (mm >= 0 ? positive : negative) + QString::number(std::abs(std::lround(mm)));
   };
-  return tr("%1 %2 %3\n%4 mm below the skin, gap %5 mm\n%6\n%7")
-      .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")))
-      .arg((target.scalp_point.mm - c).norm(), 0, 'f', 0)
-      .arg(gapWords(target))
-      .arg(handleWords(target), contactWords(target));
+  const QString place =
+      tr("%1 %2 %3")
+          .arg(side(c.x(), tr("R"), tr("L")), side(c.y(), tr("A"), tr("P")), side(c.z(), tr("S"), tr("I")));
+  const QString gap = tr("gap %1 mm").arg(gapWords(target));
+  return QStringList{place, depthWords(target) + ", " + gap, handleWords(target), contactWords(target)}.join(
+      '\n');
 }
 
 }  // namespace facenav::ui

@@ -32,9 +32,10 @@ class PlanPresenter : public QObject {
   /// Turns the handle; > 0 is clockwise when seen along the coil's z.
   void turnActive(double degrees);
   /// Sets the active target's handle angle (as handleAngle_deg) or gap from typed text: "+45", "-12,5°", "4
-  /// mm". Refused, in one line, if it is no number or outside guidance's ranges.
-  void setHandle(const QString& typed);
-  void setGap(const QString& typed);
+  /// mm". Returns why it is refused, in one line for the place beside the field: no number, outside
+  /// guidance's ranges, a locked target. Empty if it is taken; refused() is not emitted.
+  QString setHandle(const QString& typed);
+  QString setGap(const QString& typed);
   /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
   void nudgeActive(double x_mm, double y_mm);
   /// Copies the active target, or mirrors it through the atlas; the copy becomes the active one.
@@ -58,8 +59,9 @@ class PlanPresenter : public QObject {
   void setGrid(const std::optional<guidance::GridSpec>& grid);
   /// Moves the active target up (-1) or down (1) in the list.
   void moveActive(int places);
-  /// Undoes the last step and makes its target the active one. If the case cannot be written nothing changes,
-  /// refused() gives the reason, and the step can be tried again.
+  /// Undoes the last step. The target that was active before it is active again, unless another one was
+  /// chosen since: that one stays active. If the case cannot be written nothing changes, refused() gives the
+  /// reason, and the step can be tried again.
   void undo();
   void redo();
 
@@ -91,8 +93,9 @@ class PlanPresenter : public QObject {
   /// Duration of the dose in force: "25 min 0 s"; empty if it is not known.
   QString durationWords() const;
   QString coilWords() const;
-  /// Describes a target, one item a line: "L37 P21 S58", "14 mm below the skin, gap 4.0 mm", the handle, the
-  /// contact.
+  /// "cortex 14 mm below the scalp", by guidance::cortexDepth_mm.
+  QString depthWords(const guidance::Target& target) const;
+  /// Describes a target, one item a line: "L37 P21 S58", depth and gap, the handle, the contact.
   QString describe(const guidance::Target& target) const;
 
  signals:
@@ -105,9 +108,11 @@ class PlanPresenter : public QObject {
   /// target.
   template <class Edit>
   void attempt(Edit edit, const QString& name = {});
-  void replaceActive(const guidance::Target& target);
+  /// Runs the edit, then emits changed(), or returns why it is refused.
+  template <class Edit>
+  QString refusalOf(Edit edit, const QString& name = {});
   template <class Change>
-  void setTyped(const QString& typed, const QString& unit, Change change);
+  QString setTyped(const QString& typed, const QString& unit, Change change);
 
   CaseModel& model_;
   steps::PlanEditor editor_;

@@ -2,9 +2,9 @@
 
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
 #include <QTimer>
@@ -15,6 +15,7 @@
 #include "plan/handle_panel.h"
 #include "plan/map_legend.h"
 #include "plan/place_panel.h"
+#include "plan/target_list.h"
 #include "plan/target_tools.h"
 #include "shell/appearance.h"
 #include "shell/linked_views.h"
@@ -23,6 +24,23 @@
 #include "shell/shown_tools.h"
 
 namespace facenav::ui {
+namespace {
+
+struct ArrowKey {
+  int key;
+  double x_mm, y_mm;
+};
+/// Steps along the coil's own axes. The coil is seen from above, so its +x points left.
+constexpr ArrowKey kArrows[] = {
+    {Qt::Key_Left, 1, 0}, {Qt::Key_Right, -1, 0}, {Qt::Key_Up, 0, 1}, {Qt::Key_Down, 0, -1}};
+constexpr double kFar_mm = 5, kTurn_deg = 5;  // a step with Shift; a turn with Ctrl
+
+bool isView(const QWidget* widget) {
+  return qobject_cast<const SliceView*>(widget) || qobject_cast<const CoilSliceView*>(widget) ||
+         qobject_cast<const SceneView*>(widget);
+}
+
+}  // namespace
 
 PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex,
                              CaseModel& model, QWidget* parent)
@@ -70,6 +88,7 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
     presenter_.addTargetNear({x, y, z});
   });
   connect(&presenter_, &PlanPresenter::changed, this, &PlanWorkspace::showPlan);
+  connect(&presenter_, &PlanPresenter::refused, this, &PlanWorkspace::showFault);
   connect(head_, &HeadPresenter::refused, &presenter_, &PlanPresenter::refused);
   connect(head_, &HeadPresenter::changed, this, &PlanWorkspace::showSites);
   connect(overlays_, &OverlayPresenter::refused, &presenter_, &PlanPresenter::refused);
@@ -99,7 +118,7 @@ QWidget* PlanWorkspace::makeFields(QWidget* parent) {
   search_->setPlaceholderText(tr("search"));
   search_->setToolTip(tr("shows the targets whose name or note holds these words"));
   search_->setClearButtonEnabled(true);
-  connect(search_, &QLineEdit::textChanged, this, &PlanWorkspace::filterTargets);
+  connect(search_, &QLineEdit::textChanged, this, [this] { targets_->filter(search_->text()); });
   note_ = new QLineEdit(parent);
   note_->setPlaceholderText(tr("note"));
   note_->setToolTip(tr("note of the active target (Return)"));
@@ -111,24 +130,20 @@ QWidget* PlanWorkspace::makeFields(QWidget* parent) {
   return search_;
 }
 
-void PlanWorkspace::filterTargets() {
-  const QString words = search_->text().trimmed();
-  for (int i = 0; i < targets_->count(); ++i) {
-    auto* item = targets_->item(i);
-    const auto* target = steps::find(presenter_.plan(), item->text().toStdString());
-    const bool has_words =
-        item->text().contains(words, Qt::CaseInsensitive) ||
-        (target && QString::fromStdString(target->note).contains(words, Qt::CaseInsensitive));
-    item->setHidden(!has_words);
-  }
+/// Shows why a step was refused, beside the targets, until the next step is done.
+void PlanWorkspace::showFault(const QString& words) {
+  fault_->setText(words);
+  fault_->setVisible(!words.isEmpty());
+  hint_->setVisible(words.isEmpty() && presenter_.plan().targets.size() < 2);
 }
 
 void PlanWorkspace::showFields() {
   const auto* active = presenter_.active();
-  note_->setEnabled(active != nullptr);
+  note_->setEnabled(active && !active->is_locked);
   if (!note_->hasFocus()) note_->setText(active ? QString::fromStdString(active->note) : QString());
-  search_->setVisible(presenter_.plan().targets.size() > 5);
-  filterTargets();
+  const bool is_long = presenter_.plan().targets.size() > 5;
+  search_->setVisible(is_long);
+  if (!is_long) search_->clear();  // or targets would stay hidden without a reason in sight
 }
 
 QWidget* PlanWorkspace::makeTargetsPanel() {
@@ -137,20 +152,25 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* column = new QVBoxLayout(panel);
   auto* heading = new QLabel(tr("Targets"), panel);
   heading->setObjectName("heading");
-  targets_ = new QListWidget(panel);
-  targets_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  targets_->setToolTip(tr("double click or F2: rename"));
+  targets_ = new TargetList(presenter_, panel);
   detail_ = new QLabel(panel);
   makeNarrow(*detail_);
   detail_->setObjectName("figures_text");
   detail_->setToolTip(tr(
-      "mm and degrees; gap: between coil and skin, for hair; handle: 0\u00b0 points straight back, + turns "
-      "its front to the midline; over forehead and occiput it is measured from superior"));
-  auto* hint = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target."), panel);
-  hint->setObjectName("muted");
-  makeNarrow(*hint);
+      "mm; the cortex's depth is measured from the scalp along the coil's axis; gap: between coil and skin, "
+      "for hair"));
+  hint_ = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target. Arrow keys in a "
+                        "view move it."),
+                     panel);
+  hint_->setObjectName("muted");
+  fault_ = new QLabel(panel);
+  fault_->setObjectName("fault");
+  fault_->hide();
   column->addWidget(heading);
-  column->addWidget(hint);
+  for (auto* label : {hint_, fault_}) {
+    makeNarrow(*label);
+    column->addWidget(label);
+  }
   auto* body = new QWidget(panel);
   auto* within = new QVBoxLayout(body);
   within->setContentsMargins(0, 0, 0, 0);
@@ -164,7 +184,6 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
   within->addWidget(note_);
-  within->addWidget(new HandlePanel(presenter_, panel));
   auto* edit = new QHBoxLayout;
   undo_ = new QPushButton(tr("Undo"), panel);
   redo_ = new QPushButton(tr("Redo"), panel);
@@ -175,6 +194,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
   within->addLayout(edit);
   column->addWidget(new ScrollColumn(body, sized(300), panel), 1);
+  column->addWidget(new HandlePanel(presenter_, panel));  // in sight however long the column is
   place_panel_ = new PlacePanel(place_, panel);
   column->addWidget(place_panel_);
   connect(shown_, &ShownTools::sitesShown, this, &PlanWorkspace::showSites);
@@ -183,12 +203,6 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
   connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
   connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
-  connect(targets_, &QListWidget::currentTextChanged, this, [this](const QString& name) {
-    if (!is_filling_) presenter_.setActive(name);
-  });
-  connect(targets_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    if (!is_filling_) presenter_.renameActive(item->text());
-  });
   return panel;
 }
 
@@ -220,21 +234,37 @@ void PlanWorkspace::addKeys() {
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, this, action);
   };
-  key(Qt::Key_Q, [this] { presenter_.turnActive(-5); });
-  key(Qt::Key_E, [this] { presenter_.turnActive(5); });
   key(QKeySequence::Undo, [this] { presenter_.undo(); });
   key(QKeySequence::Redo, [this] { presenter_.redo(); });
   key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
   key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
-  // The coil is seen from above, so its +x points left.
-  for (const auto& [modifier, mm] : {std::pair(0, 1.0), std::pair(int(Qt::SHIFT), 5.0)}) {
-    const int held = Qt::ALT + modifier;
-    const double step_mm = mm;
-    key(held + Qt::Key_Left, [this, step_mm] { presenter_.nudgeActive(step_mm, 0); });
-    key(held + Qt::Key_Right, [this, step_mm] { presenter_.nudgeActive(-step_mm, 0); });
-    key(held + Qt::Key_Up, [this, step_mm] { presenter_.nudgeActive(0, step_mm); });
-    key(held + Qt::Key_Down, [this, step_mm] { presenter_.nudgeActive(0, -step_mm); });
+  for (const auto& arrow : kArrows) {  // wherever the focus is
+    key(Qt::ALT + arrow.key, [this, arrow] { presenter_.nudgeActive(arrow.x_mm, arrow.y_mm); });
+    key(Qt::ALT + Qt::SHIFT + arrow.key,
+        [this, arrow] { presenter_.nudgeActive(kFar_mm * arrow.x_mm, kFar_mm * arrow.y_mm); });
   }
+  const QString arrows =
+      tr("arrows: move the target by 1 mm, with Shift 5 mm   Ctrl+left, Ctrl+right: turn it by 5\u00b0");
+  for (auto* view : views_->findChildren<QWidget*>())
+    if (isView(view)) view->setToolTip(view->toolTip() + "   " + arrows);
+}
+
+/// Moves or turns the active target by an arrow key. Returns false for any other key.
+bool PlanWorkspace::moveByKey(const QKeyEvent& event) {
+  const auto held = event.modifiers() & ~Qt::KeypadModifier;
+  for (const auto& arrow : kArrows) {
+    if (event.key() != arrow.key) continue;
+    if (held == Qt::ControlModifier && arrow.x_mm != 0)
+      return presenter_.turnActive(-kTurn_deg * arrow.x_mm), true;
+    if (held != Qt::NoModifier && held != Qt::ShiftModifier) return false;
+    const double steps = held == Qt::ShiftModifier ? kFar_mm : 1;
+    return presenter_.nudgeActive(steps * arrow.x_mm, steps * arrow.y_mm), true;
+  }
+  return false;
+}
+
+void PlanWorkspace::keyPressEvent(QKeyEvent* event) {
+  if (!isView(window()->focusWidget()) || !moveByKey(*event)) QWidget::keyPressEvent(event);
 }
 
 void PlanWorkspace::showCase() {
@@ -272,17 +302,9 @@ void PlanWorkspace::showBrain() {
 }
 
 void PlanWorkspace::showPlan() {
-  is_filling_ = true;
-  targets_->clear();
-  for (const auto& target : presenter_.plan().targets) {
-    auto* item = new QListWidgetItem(QString::fromStdString(target.name), targets_);
-    if (!target.is_locked) item->setFlags(item->flags() | Qt::ItemIsEditable);
-    if (target.is_locked) item->setToolTip(tr("locked"));
-    if (item->text() == presenter_.activeName()) targets_->setCurrentItem(item);
-  }
-  is_filling_ = false;
+  showFault({});
   const auto* active = presenter_.active();
-  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.describe(*active)
+  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.depthWords(*active)
                           : tr("no target chosen"));
   const QString compared = presenter_.compareWords(compared_with_);
   if (!compared.isEmpty()) detail_->setText(detail_->text() + "\n" + compared);

@@ -13,7 +13,6 @@
 
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 
 namespace facenav::ui {
@@ -21,6 +20,7 @@ namespace facenav::ui {
 class LinkedViews;
 class PlacePanel;
 class ShownTools;
+class TargetList;
 class TargetTools;
 
 class PlanWorkspace : public QWidget {
@@ -32,6 +32,7 @@ class PlanWorkspace : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QWidget* makeTargetsPanel();
@@ -40,8 +41,9 @@ class PlanWorkspace : public QWidget {
   void showSites();
   QWidget* makeFields(QWidget* parent);
   void showFields();
-  void filterTargets();
   void addKeys();
+  bool moveByKey(const QKeyEvent& event);
+  void showFault(const QString& words);
   void showCase();
   void showPlan();
   void showBrain();
@@ -59,15 +61,15 @@ class PlanWorkspace : public QWidget {
   std::unique_ptr<scene::SiteLayer> site_layer_;
   ShownTools* shown_;
   PlacePanel* place_panel_;
-  QListWidget* targets_;
-  QLabel* detail_;
+  TargetList* targets_;
+  QLabel *detail_, *hint_, *fault_;
   QLineEdit *search_, *note_;
   QString compared_with_;
   QPushButton *undo_, *redo_, *remove_;
   scene::BrainLook shown_look_ = scene::BrainLook::model;
   bool is_drawing_brain_ = false;
   double shown_peel_mm_ = -1.0;
-  bool is_outdated_ = false, is_filling_ = false;
+  bool is_outdated_ = false;
 };
 
 }  // namespace facenav::ui

@@ -27,8 +27,9 @@ TargetTools::TargetTools(PlanPresenter& plan, HeadPresenter& head, QWidget* pare
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  row->addWidget(
-      button(tr("Preset"), tr("a target at a known place: M1, DLPFC, Beam F3, EEG sites"), presetMenu()));
+  row->addWidget(button(tr("Preset"),
+                        tr("a target at a known place of either side: M1, DLPFC, Beam F3 and F4, EEG sites"),
+                        presetMenu()));
   row->addWidget(button(tr("Grid"), tr("targets in rows and columns round the active one"), gridMenu()));
   row->addWidget(button(tr("More"), tr("copy, mirror, lock, order, compare"), moreMenu()));
   row->addWidget(
@@ -127,6 +128,7 @@ QMenu* TargetTools::headMenu() {
   };
   for (const auto& name : guidance::eegSiteNames()) addSite(QString::fromStdString(name));
   addSite("Beam F3");
+  addSite("Beam F4");
   menu->addSeparator();
   auto* found = menu->addAction(QString());
   found->setEnabled(false);

@@ -12,6 +12,7 @@
 
 #include "prepare/montage_view.h"
 #include "shell/appearance.h"
+#include "shell/author.h"
 #include "shell/wrapped_list.h"
 
 namespace facenav::ui {
@@ -38,6 +39,7 @@ SignOffPage::SignOffPage(SignOffPresenter& presenter, CaseModel& model, QWidget*
   connect(&presenter_, &SignOffPresenter::changed, this, &SignOffPage::showState);
   const auto beginAnew = [this] {
     is_outdated_ = true;
+    if (name_->text().isEmpty()) name_->setText(author());
     fillItems();
     if (isVisible()) showEvent(nullptr);
   };

@@ -1,6 +1,5 @@
 #include "prepare/sign_off_presenter.h"
 
-#include <QSettings>
 #include <algorithm>
 #include <cmath>
 
@@ -9,16 +8,11 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/prepare/sign_off_gate.h"
+#include "shell/author.h"
 
 namespace facenav::ui {
-namespace {
-
-const char* const kName = "sign_off/by";
-
-}  // namespace
-
 SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
-    : QObject(parent), model_(model), tasks_(tasks), name_(QSettings().value(kName).toString()) {
+    : QObject(parent), model_(model), tasks_(tasks), name_(author()) {
   const auto beginAnew = [this] {
     items_ = QStringList{tr("The outlines follow skin and brain on every slice of the montage")};
     for (const auto& finding : model_.current().findings) items_ << QString::fromStdString(finding);
@@ -144,7 +138,7 @@ void SignOffPresenter::reject() {
 
 /// Writes into the case and shows its state then. Remembers the name.
 void SignOffPresenter::start(const QString& title, std::function<void(const casefile::CaseStore&)> write) {
-  QSettings().setValue(kName, name_.trimmed());
+  rememberAuthor(name_);
   tasks_.start(
       title,
       [this, write = std::move(write), store = model_.current().store](TaskMonitor&) -> TaskRunner::Delivery {

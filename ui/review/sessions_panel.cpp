@@ -17,6 +17,7 @@
 
 #include "facenav/report/local_time.h"
 #include "shell/appearance.h"
+#include "shell/author.h"
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
@@ -192,9 +193,9 @@ QWidget* SessionsPanel::makeEdits() {
     return made;
   };
   exclude_ = button(tr("Exclude"), tr("they count no more; nothing is deleted"),
-                    [this] { presenter_.exclude(chosen(false), reason_->text(), by_->text()); });
-  include_ = button(tr("Take in"), tr("they count again"),
-                    [this] { presenter_.include(chosen(true), by_->text()); });
+                    [this] { presenter_.exclude(chosen(false), reason_->text(), by()); });
+  include_ =
+      button(tr("Take in"), tr("they count again"), [this] { presenter_.include(chosen(true), by()); });
   buttons->addStretch(1);
   undo_ = button(tr("Undo"), {}, [this] { presenter_.undo(); });
   redo_ = button(tr("Redo"), {}, [this] { presenter_.redo(); });
@@ -212,7 +213,14 @@ QWidget* SessionsPanel::makeEdits() {
   return box;
 }
 
+/// Who changes the pulses; remembered for the other fields that ask.
+QString SessionsPanel::by() const {
+  rememberAuthor(by_->text());
+  return by_->text();
+}
+
 void SessionsPanel::showSessions() {
+  if (by_->text().isEmpty()) by_->setText(author());
   is_filling_ = true;
   const auto& sessions = presenter_.sessions();
   sessions_->setRowCount(int(sessions.size()));

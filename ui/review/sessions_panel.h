@@ -37,6 +37,7 @@ class SessionsPanel : public QWidget {
   void excludeChosen();
   void typeMep(const QModelIndex& row);
   std::vector<int> chosen(bool are_excluded) const;
+  QString by() const;
 
   ReviewPresenter& presenter_;
   PulseTable* table_;

@@ -20,14 +20,16 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
     slices_[std::size_t(i)] = new SliceView(orientations[i], this);
     grid->addWidget(slices_[std::size_t(i)], i / 2, i % 2);
   }
-  scene_column_ = new QVBoxLayout;
-  scene_title_ = new QLabel(tr("true cortex, coloured by its distance from the model"), this);
+  scene_box_ = new QWidget(this);
+  scene_column_ = new QVBoxLayout(scene_box_);
+  scene_column_->setContentsMargins(0, 0, 0, 0);
+  scene_title_ = new QLabel(tr("true cortex, coloured by its distance from the model"), scene_box_);
   scene_title_->setObjectName("muted");
   scene_title_->hide();
   scene_column_->setSpacing(4);
   scene_column_->addWidget(scene_title_);
   scene_column_->addWidget(scene_view_, 1);
-  grid->addLayout(scene_column_, 1, 1);
+  grid->addWidget(scene_box_, 1, 1);
   for (int i = 0; i < 2; ++i) grid->setRowStretch(i, 1), grid->setColumnStretch(i, 1);
   for (auto* view : slices_) {
     connect(view, &SliceView::crosshairMoved, this, [this](double x, double y, double z) {
@@ -48,10 +50,8 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
 }
 
 void LinkedViews::addCoilSlices() {
-  auto* grid = static_cast<QGridLayout*>(layout());
   for (const auto cut : {scene::CoilCut::along_handle, scene::CoilCut::across_handle}) {
     auto* view = new CoilSliceView(cut, this);
-    grid->addWidget(view, int(coil_slices_.size()), 2);
     coil_slices_.push_back(view);
     connect(view, &CoilSliceView::crosshairMoved, this, [this](double x, double y, double z) {
       setCrosshair({x, y, z});
@@ -60,7 +60,25 @@ void LinkedViews::addCoilSlices() {
             [this](double x, double y, double z) { emit chosen(x, y, z, false); });
     connect(view, &CoilSliceView::windowChanged, this, [this] { refreshSlices(); });
   }
-  grid->setColumnStretch(2, 1);
+  arrange();
+}
+
+/// Lays out the views of Plan in six columns and three rows: the slices below, the 3-D view large above them,
+/// beside it the model's view and the slices along the coil, where they are shown.
+void LinkedViews::arrange() {
+  if (coil_slices_.empty()) return;
+  constexpr int kColumns = 6, kRows = 3, kOfSlice = 2;
+  auto* grid = static_cast<QGridLayout*>(layout());
+  for (int i = 0; i < kColumns; ++i) grid->setColumnStretch(i, 1);
+  for (int i = 0; i < kRows; ++i) grid->setRowStretch(i, 1);
+  for (int i = 0; i < 3; ++i) grid->addWidget(slices_[std::size_t(i)], kRows - 1, kOfSlice * i, 1, kOfSlice);
+  for (int i = 0; i < 2; ++i)
+    grid->addWidget(coil_slices_[std::size_t(i)], i, kColumns - kOfSlice, 1, kOfSlice);
+  const bool is_beside = model_box_ && !model_box_->isHidden();
+  const int room = are_coil_slices_shown_ ? kColumns - kOfSlice : kColumns;
+  const int model = is_beside ? room / 2 : 0;
+  if (is_beside) grid->addWidget(model_box_, 0, 0, kRows - 1, model);
+  grid->addWidget(scene_box_, 0, model, kRows - 1, room - model);
 }
 
 void LinkedViews::setCoil(const std::optional<scene::SlicedCoil>& coil, const QString& words) {
@@ -74,8 +92,9 @@ void LinkedViews::setOverlays(const std::vector<scene::Overlay>& overlays) {
 }
 
 void LinkedViews::setCoilSlicesShown(bool are_shown) {
+  are_coil_slices_shown_ = are_shown;
   for (auto* view : coil_slices_) view->setVisible(are_shown);
-  static_cast<QGridLayout*>(layout())->setColumnStretch(2, are_shown ? 1 : 0);
+  arrange();
 }
 
 void LinkedViews::show(const LoadedCase& loaded) {
@@ -122,7 +141,7 @@ void LinkedViews::setBrain(const surface::BrainModel& brain) {
   scene_view_->refresh();
 }
 
-/// Makes the model view, which replaces the last slice view.
+/// Makes the model view, beside the 3-D view.
 void LinkedViews::makeModelView() {
   model_box_ = new QWidget(this);
   auto* column = new QVBoxLayout(model_box_);
@@ -138,7 +157,6 @@ void LinkedViews::makeModelView() {
   model_foot_->setObjectName("muted");
   model_foot_->setAlignment(Qt::AlignCenter);
   column->addWidget(model_foot_);
-  static_cast<QGridLayout*>(layout())->addWidget(model_box_, 1, 0);
   connect(scene_view_, &SceneView::drawn, model_view_, [this] {
     if (QApplication::mouseButtons() == Qt::NoButton)
       model_view_->refreshMoving();  // during a drag shareCamera() does this
@@ -157,9 +175,9 @@ void LinkedViews::showModelBeside(const LoadedCase* loaded) {
   if (is_beside && beside_ != loaded->brain) model_view_->show(*loaded);
   if (is_beside) beside_ = loaded->brain;
   if (footer_) model_foot_->setFixedHeight(footer_->height());  // makes both views the same size
-  slices_.back()->setVisible(!is_beside);
   scene_title_->setVisible(is_beside);
   model_box_->setVisible(is_beside);
+  arrange();
 }
 
 void LinkedViews::setSceneFooter(QWidget* footer) {

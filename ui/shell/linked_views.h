@@ -1,5 +1,6 @@
 #pragma once
-// LinkedViews: three slice views and the 3-D view of one case, linked by one crosshair.
+// LinkedViews: three slice views and the 3-D view of one case, linked by one crosshair: two by two, or, with
+// the slices along the coil, the 3-D view large above the others.
 
 #include <QWidget>
 #include <array>
@@ -54,17 +55,18 @@ class LinkedViews : public QWidget {
 
  private:
   void makeModelView();
+  void arrange();
   std::array<SliceView*, 3> slices_;
   std::vector<CoilSliceView*> coil_slices_;
   SceneView *scene_view_, *model_view_ = nullptr;
-  QWidget *model_box_ = nullptr, *footer_ = nullptr;
+  QWidget *scene_box_, *model_box_ = nullptr, *footer_ = nullptr;
   QLabel* model_foot_ = nullptr;
   QLabel* scene_title_;
   std::shared_ptr<const surface::BrainModel> beside_;
   QVBoxLayout* scene_column_;
   std::shared_ptr<scene::SliceScene> slice_scene_;
   std::vector<scene::SliceContour> contours_;
-  bool are_masks_shown_ = true;
+  bool are_masks_shown_ = true, are_coil_slices_shown_ = true;
 };
 
 }  // namespace facenav::ui

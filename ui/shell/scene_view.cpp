@@ -106,6 +106,12 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
+/// Keeps keys from VTK, whose letters would draw wires or close the program; the page handles them.
+bool SceneView::event(QEvent* event) {
+  const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+  return is_key ? QWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+}
+
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (draws_ && event->buttons() == Qt::LeftButton && !outline_.isEmpty()) {
     outline_ << event->pos();

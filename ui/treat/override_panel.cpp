@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "shell/appearance.h"
+#include "shell/author.h"
 
 namespace facenav::ui {
 
@@ -35,8 +36,10 @@ OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidge
   connect(name_, &QLineEdit::textChanged, this, enable);
   connect(reason_, &QLineEdit::textChanged, this, enable);
   connect(reason_, &QLineEdit::returnPressed, override_, &QPushButton::click);
-  connect(override_, &QPushButton::clicked, this,
-          [this] { presenter_.overrideSignOff(name_->text(), reason_->text()); });
+  connect(override_, &QPushButton::clicked, this, [this] {
+    rememberAuthor(name_->text());
+    presenter_.overrideSignOff(name_->text(), reason_->text());
+  });
   connect(&model_, &CaseModel::opened, this, &OverridePanel::showState);
   connect(&model_, &CaseModel::signOffChanged, this, &OverridePanel::showState);
   enable();
@@ -59,7 +62,7 @@ void OverridePanel::showState() {
        {static_cast<QWidget*>(name_), static_cast<QWidget*>(reason_), static_cast<QWidget*>(override_)})
     each->setVisible(!given);
   if (given) return;
-  name_->clear();
+  name_->setText(author());
   reason_->clear();
 }
 

@@ -4,6 +4,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "facenav/guidance/handle.h"
 #include "facenav/pictures/titled_row.h"
 #include "facenav/scene/coil_slices.h"
 
@@ -41,11 +42,11 @@ RgbImage coilSliceSheet(const scene::SliceScene& scene, const guidance::Target& 
   const auto slice = [&](scene::CoilCut cut) {
     return coilSlicePicture(shown, coil, cut, coilPlane(coil.mri_T_coil, cut, kWidth_px, kHeight_px));
   };
-  const auto passing = scene::beamPassing(coil.mri_T_coil, target.cortex_point);
   const std::string bound =
       bound95_mm && *bound95_mm > 0 ? formatted("; ring: 95 %% within %.1f mm", *bound95_mm) : "";
   return pictures::titledRow(
-      {{target.name + formatted(": along the handle (on the left), cortex %.0f mm deep", passing.depth_mm),
+      {{target.name + formatted(": along the handle (on the left), cortex %.0f mm below the scalp",
+                                guidance::cortexDepth_mm(target)),
         slice(scene::CoilCut::along_handle)},
        {"across the handle, as seen from it; a tick is 10 mm" + bound,
         slice(scene::CoilCut::across_handle)}});

@@ -204,14 +204,19 @@ void PlanEditor::nudge(double x_mm, double y_mm) {
   if (!active()) return;
   requireUnlocked();
   const auto head = case_.head();
-  const auto moved = guidance::movedAlongScalp(*active(), *head.scalp, x_mm, y_mm);
-  put(guidance::restOnHead(moved, *head.scalp, head.plate), "moved");
+  put(guidance::movedOnHead(*active(), *head.scalp, head.plate, x_mm, y_mm), "moved");
+}
+
+/// Makes `wanted` the active target after a step was undone or done again, unless another one was chosen
+/// since and still exists.
+void PlanEditor::follow(const std::string& chosen_then, const std::string& wanted) {
+  if (active_ == chosen_then || !active()) active_ = wanted;
 }
 
 bool PlanEditor::undo() {
   if (undo_.empty()) return false;
   case_.write(undo_.back().before);
-  active_ = undo_.back().active_before;
+  follow(undo_.back().active_after, undo_.back().active_before);
   redo_.push_back(undo_.back());
   undo_.pop_back();
   return true;
@@ -220,7 +225,7 @@ bool PlanEditor::undo() {
 bool PlanEditor::redo() {
   if (redo_.empty()) return false;
   case_.write(redo_.back().after);
-  active_ = redo_.back().active_after;
+  follow(redo_.back().active_before, redo_.back().active_after);
   undo_.push_back(redo_.back());
   redo_.pop_back();
   return true;

@@ -10,7 +10,7 @@
 namespace facenav::steps {
 namespace {
 
-constexpr char kEeg[] = "eeg:";
+constexpr char kEeg[] = "eeg:", kMirrored[] = "mirror image of the left one";
 
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -27,11 +27,14 @@ std::vector<Preset> makePresets() {
       inBrain("m1-hand-left", "hand area of the left M1", guidance::handKnob(guidance::Side::left),
               "hand knob, Yousry 1997; the start of the search for the hotspot, not the hotspot"),
       inBrain("m1-hand-right", "hand area of the right M1", guidance::handKnob(guidance::Side::right),
-              "mirror image of the left one"),
+              kMirrored),
       inBrain("dlpfc-fox", "left DLPFC", {-38, 44, 26},
               "most anticorrelated with the subgenual cingulate in groups, Fox 2012"),
+      inBrain("dlpfc-fox-right", "right DLPFC", {38, 44, 26}, kMirrored),
       inBrain("dlpfc-group", "left DLPFC", {-42, 44, 30}, "group target of later comparisons"),
-      {"beam-f3", "F3 by Beam's method, from three tape measures", "Beam 2009", std::nullopt}};
+      inBrain("dlpfc-group-right", "right DLPFC", {42, 44, 30}, kMirrored),
+      {"beam-f3", "F3 by Beam's method, from three tape measures", "Beam 2009", std::nullopt},
+      {"beam-f4", "F4 by Beam's method, from three tape measures", kMirrored, std::nullopt}};
   for (const std::string& site : guidance::eegSiteNames())
     all.push_back({kEeg + site, "site " + site + " of the 10-20 system", "Jasper 1958", std::nullopt});
   return all;
@@ -68,9 +71,10 @@ const guidance::EegSites& HeadMeasures::eegSites() const {
   return *sites_;
 }
 
-const guidance::BeamF3& HeadMeasures::beamF3() const {
-  if (!beam_) beam_ = guidance::placeBeamF3(paths(), eegSites());
-  return *beam_;
+const guidance::BeamF3& HeadMeasures::beamF3(guidance::Side side) const {
+  auto& beam = beam_[side == guidance::Side::left ? 0 : 1];
+  if (!beam) beam = guidance::placeBeamF3(paths(), eegSites(), side);
+  return *beam;
 }
 
 PresetPlace placeOf(const Preset& preset, const atlas::AtlasMap* atlas, const HeadMeasures& measures) {
@@ -81,9 +85,10 @@ PresetPlace placeOf(const Preset& preset, const atlas::AtlasMap* atlas, const He
     return {atlas->toMri(*preset.mni), std::nullopt, preset.words};
   }
   const auto& sites = measures.eegSites();
-  if (preset.name == "beam-f3") {
-    const auto& beam = measures.beamF3();
-    const double sd_mm = sites.find("F3").sd_mm;  // from the same landmarks
+  if (preset.name == "beam-f3" || preset.name == "beam-f4") {
+    const bool is_left = preset.name == "beam-f3";
+    const auto& beam = measures.beamF3(is_left ? guidance::Side::left : guidance::Side::right);
+    const double sd_mm = sites.find(is_left ? "F3" : "F4").sd_mm;  // from the same landmarks
     return {std::nullopt, beam.point,
             formatted("nasion-inion %.0f mm, tragus-tragus %.0f mm, circumference %.0f mm: x %.0f mm, y %.0f "
                       "mm, +- %.0f mm by the landmarks",

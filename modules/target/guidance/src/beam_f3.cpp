@@ -35,12 +35,12 @@ BeamF3Lengths beamF3Lengths(double nasion_inion_mm, double tragus_tragus_mm, dou
   return {circumference_mm * from_midline_rad / (2 * M_PI), kFlatToTape * std::hypot(x, y)};
 }
 
-BeamF3 placeBeamF3(const surface::ScalpPaths& scalp, const EegSites& sites) {
+BeamF3 placeBeamF3(const surface::ScalpPaths& scalp, const EegSites& sites, Side side) {
   BeamF3 beam;
   beam.lengths = beamF3Lengths(sites.nasion_inion_mm, sites.tragus_tragus_mm, sites.circumference_mm);
   const auto at = [&](const char* name) { return sites.find(name).point.mm; };
-  const auto left = scalp.tape(at("Fpz"), at("T7"), at("Oz"));
-  beam.at_circumference = scalp.onSkin(left.at(beam.lengths.x_mm)).point;
+  const auto round = scalp.tape(at("Fpz"), at(side == Side::left ? "T7" : "T8"), at("Oz"));
+  beam.at_circumference = scalp.onSkin(round.at(beam.lengths.x_mm)).point;
   const auto way = scalp.shortest(at("Cz"), beam.at_circumference.mm);
   beam.point = scalp.onSkin(way.at(beam.lengths.y_mm)).point;
   return beam;

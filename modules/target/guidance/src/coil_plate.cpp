@@ -212,4 +212,17 @@ Target settleOnHead(const Target& target, const surface::ScalpSurface& scalp, co
   return settled.lift_mm <= allowed_mm ? settled : restOnHead(target, scalp, plate);
 }
 
+Target movedOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate,
+                   double x_mm, double y_mm) {
+  const Matrix3d old_axes = target.mri_T_target.rotation();
+  Target moved = movedAlongScalp(target, scalp, x_mm, y_mm);
+  // The present axis is the start, not the one through the nearest point of the scalp, which jumps on rough
+  // skin.
+  const Vector3d place_mm = moved.scalp_point.mm - hairGap_mm(target) * old_axes.col(2);
+  moved.mri_T_target = RigidTransform<Mri, frames::Target>(Eigen::Quaterniond(old_axes), place_mm);
+  const Target rested = restOnHead(moved, scalp, plate);
+  const Matrix3d axes = carried(old_axes, rested.mri_T_target.rotation().col(2));
+  return lowered(rested, axes, rested.mri_T_target.translation_mm(), hairGap_mm(rested), scalp.mesh, plate);
+}
+
 }  // namespace facenav::guidance

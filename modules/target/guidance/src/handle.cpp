@@ -53,6 +53,10 @@ double centreGap_mm(const Target& target) {
 
 double hairGap_mm(const Target& target) { return centreGap_mm(target) - target.lift_mm; }
 
+double cortexDepth_mm(const Target& target) {
+  return (target.cortex_point.mm - target.scalp_point.mm).dot(target.mri_T_target.rotation().col(2));
+}
+
 Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp, double angle_rad) {
   if (!(std::abs(angle_rad) <= kMostHandle_rad))
     throw Error("a handle angle lies between -180 and 180 degrees", {}, "0 points straight back");

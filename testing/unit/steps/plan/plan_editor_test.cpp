@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "facenav/casefile/case_store.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/plan/coil_slice_sheet.h"
@@ -83,6 +86,39 @@ TEST_F(PlanEditorTest, EveryStepIsUndoneAndDoneAgainWithItsTargetActive) {
   EXPECT_EQ(names(), Names{"T2"});
   while (editor_.undo()) continue;
   EXPECT_TRUE(plan_.targets.empty());
+}
+
+TEST_F(PlanEditorTest, UndoAndRedoKeepATargetThatWasChosenSince) {
+  editor_.addTarget(Point<Mri>(-40, 5, 60));
+  editor_.addTarget(Point<Mri>(40, 5, 60));
+  editor_.addTarget(Point<Mri>(0, 40, 60));
+  editor_.setActive("T1");
+  EXPECT_TRUE(editor_.undo());
+  EXPECT_EQ(names(), (Names{"T1", "T2"}));
+  EXPECT_EQ(editor_.activeName(), "T1") << "the one that was chosen, not T2";
+  EXPECT_TRUE(editor_.redo());
+  EXPECT_EQ(editor_.activeName(), "T1");
+  editor_.setActive("T3");
+  EXPECT_TRUE(editor_.undo());
+  EXPECT_EQ(editor_.activeName(), "T2") << "T3 is gone";
+}
+
+TEST_F(PlanEditorTest, TwoNudgesOfOneMillimetreHardlyTurnTheHandle) {
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(-40, 5, 60), Eigen::Vector3d(-25, 45, 45),
+                                       Eigen::Vector3d(50, -20, 45), Eigen::Vector3d(5, 0, 70)})
+    for (const double x : {1.0, -1.0})
+      for (const double y : {0.0, 1.0}) {
+        editor_.addTarget(Point<Mri>(place));
+        const double before_deg = handle_deg();
+        const Eigen::Matrix3d before = editor_.active()->mri_T_target.rotation();
+        for (int i = 0; i < 2; ++i) editor_.nudge(x, y);
+        EXPECT_NEAR(handle_deg(), before_deg, 3.5) << place.transpose();  // a ball of facets
+        const Eigen::Matrix3d after = editor_.active()->mri_T_target.rotation();
+        const Eigen::Vector3d carried =
+            Eigen::Quaterniond::FromTwoVectors(before.col(2), after.col(2)) * before.col(1);
+        EXPECT_NEAR(std::acos(std::min(1.0, carried.dot(after.col(1)))) * 180 / M_PI, 0.0, 0.1)
+            << "its direction is carried along the scalp";
+      }
 }
 
 TEST_F(PlanEditorTest, AStepThatCannotBeWrittenChangesNothing) {
@@ -223,6 +259,21 @@ TEST_F(PlanEditorTest, AClickOnTheScalpPutsTheCoilThere) {
   EXPECT_LT((editor_.active()->scalp_point.mm - place).norm(), 0.5);
   const Eigen::Vector3d aim = (editor_.active()->mri_T_target.inverse() * editor_.active()->cortex_point).mm;
   EXPECT_LT(aim.head<2>().norm(), 1e-6) << "the cortex point lies on the axis";
+}
+
+TEST(Presets, EachOfTheLeftHasOneOfTheRight) {
+  for (const auto& preset : presets()) {
+    if (!preset.mni) continue;
+    const auto isMirrored = [&](const Preset& other) {
+      return other.mni &&
+             other.mni->mm == Eigen::Vector3d(-preset.mni->mm.x(), preset.mni->mm.y(), preset.mni->mm.z());
+    };
+    EXPECT_TRUE(std::any_of(presets().begin(), presets().end(), isMirrored)) << preset.name;
+  }
+  EXPECT_EQ(presetNamed("dlpfc-fox-right").mni->mm, Eigen::Vector3d(38, 44, 26));
+  EXPECT_EQ(presetNamed("dlpfc-fox-right").words, "right DLPFC, MNI 38 44 26");
+  EXPECT_EQ(presetNamed("dlpfc-group-right").mni->mm, Eigen::Vector3d(42, 44, 30));
+  EXPECT_FALSE(presetNamed("beam-f4").mni);
 }
 
 TEST(Presets, AreFoundByNameAndListedWhenThereIsNone) {

@@ -52,6 +52,9 @@ TEST(BeamF3, LiesAtItsLengthsOnABall) {
   EXPECT_NEAR(from_front_rad / (2 * M_PI), beam.lengths.x_mm / sites.circumference_mm, 0.002);
   EXPECT_LT(out.x(), 0) << "on the patient's left";
   EXPECT_GT(out.y(), 0) << "in front of the vertex";
+  const BeamF3 right = placeBeamF3(paths, sites, Side::right);
+  const Eigen::Vector3d mirrored = (right.point.mm - Eigen::Vector3d(5, -8, 12)) / kRadius_mm;
+  EXPECT_LT((mirrored - Eigen::Vector3d(-out.x(), out.y(), out.z())).norm() * kRadius_mm, 0.5) << "F4";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
@@ -165,6 +166,39 @@ TEST(CoilPlate, ATurnKeepsItsAxisUnlessAnEarComesUnderAWing) {
   const Target across = settleOnHead(withHandleAngle(along, scalp, 0.0), scalp, figureOfEight());
   EXPECT_GT(std::acos(-across.mri_T_target.rotation()(2, 2)), rad(5)) << "it had to tilt";
   EXPECT_NEAR(lies_through_mm(across, scalp, figureOfEight()), 0.0, 0.05);
+}
+
+/// Ellipsoid as long as a head, its skin as rough as an MRI's: ripples of 0.2 mm, 5 to 7 mm long.
+surface::ScalpSurface roughHead() {
+  surface::ScalpSurface scalp;
+  scalp.mesh = sphere(Eigen::Vector3d::Zero(), 1.0, 120);
+  for (auto& v : scalp.mesh.vertices_mm) {
+    const Eigen::Vector3d out = v;
+    v = v.cwiseProduct(Eigen::Vector3d(74, 96, 86));
+    v += 0.2 * (std::sin(1.1 * v.x()) + std::sin(1.3 * v.y() + 1) + std::sin(0.9 * v.z() + 2)) / 3 * out;
+  }
+  return scalp;
+}
+
+TEST(CoilPlate, TwoNudgesOnRoughSkinTurnTheHandleOnlyAsTheHeadCurves) {
+  const auto scalp = roughHead();
+  const auto plate = figureOfEight();
+  for (const Eigen::Vector3d& direction : {Eigen::Vector3d(-1, 0.1, 1), Eigen::Vector3d(-0.7, 0.7, 0.6),
+                                           Eigen::Vector3d(1, -0.3, 0.7), Eigen::Vector3d(0.05, 0, 1)})
+    for (const double x_mm : {1.0, -1.0}) {
+      const Point<Mri> cortex(0.78 * direction.normalized().cwiseProduct(Eigen::Vector3d(74, 96, 86)));
+      const Target start = restOnHead(planTarget("spot", scalp, cortex, rad(45), 3.0), scalp, plate);
+      Target moved = start;
+      for (int i = 0; i < 2; ++i) moved = movedOnHead(moved, scalp, plate, x_mm, 0);
+      EXPECT_NEAR((handleAngle(moved, scalp).angle_rad - handleAngle(start, scalp).angle_rad) * kDegPerRad,
+                  0.0, 2.5)
+          << direction.transpose();
+      EXPECT_NEAR(hairGap_mm(moved), 3.0, 1e-6);
+      for (int i = 0; i < 2; ++i) moved = movedOnHead(moved, scalp, plate, -x_mm, 0);
+      EXPECT_GT(moved.mri_T_target.rotation().col(1).dot(start.mri_T_target.rotation().col(1)),
+                std::cos(rad(1)))
+          << "back again, " << direction.transpose();
+    }
 }
 
 TEST(CoilPlate, RefusesAnAxisThatMeetsNoSkin) {

@@ -103,5 +103,11 @@ TEST(HairGap, CanBeSetAndMovesTheCoilAlongItsAxisOnly) {
     EXPECT_THROW(withHairGap(before, beyond_mm), Error);
 }
 
+TEST(CortexDepth, IsTheWayFromScalpToCortexAlongTheAxisWhateverTheGap) {
+  EXPECT_NEAR(cortexDepth_mm(over(kM1Left, 45)), 20.0, 0.1);
+  EXPECT_NEAR(cortexDepth_mm(over(kM1Left, 45, 4.0)), 20.0, 0.1);
+  EXPECT_NEAR(cortexDepth_mm(withHairGap(over(kForehead, 45), 9.0)), 20.0, 0.1);
+}
+
 }  // namespace
 }  // namespace facenav::guidance

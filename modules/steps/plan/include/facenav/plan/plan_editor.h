@@ -65,11 +65,12 @@ class PlanEditor {
   void move(int places);
   /// Turns the target; > 0 clockwise when seen along the coil's z.
   void turn(double angle_rad);
-  /// Moves the target along the scalp, in the coil's x and y (mm). Handle angle and gap stay. Throws Error if
-  /// there is no scalp at the new position.
+  /// Moves the target along the scalp, in the coil's x and y (mm). The handle's direction and the gap stay
+  /// (guidance::movedOnHead). Throws Error if there is no scalp at the new position.
   void nudge(double x_mm, double y_mm);
 
-  /// Undoes a step; the changed target becomes the active one. Returns false if there is no step.
+  /// Undoes a step. The active target is the one from before the step; a target that was chosen since stays
+  /// the active one. Returns false if there is no step.
   bool undo();
   bool redo();
   bool canUndo() const { return !undo_.empty(); }
@@ -87,6 +88,7 @@ class PlanEditor {
     std::string active_before, active_after;
   };
   void apply(const guidance::TreatmentPlan& next, const std::string& active);
+  void follow(const std::string& chosen_then, const std::string& wanted);
   /// Throws PlanRefused if the active target is locked.
   void requireUnlocked() const;
   /// Replaces the active target, with a record of the change.

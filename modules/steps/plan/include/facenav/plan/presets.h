@@ -33,14 +33,15 @@ class HeadMeasures {
   const surface::ScalpPaths& paths() const;
   /// EEG sites with their errors. Throws Error as placeEegSites does.
   const guidance::EegSites& eegSites() const;
-  const guidance::BeamF3& beamF3() const;
+  /// F3 by Beam's method; on the right side F4.
+  const guidance::BeamF3& beamF3(guidance::Side side = guidance::Side::left) const;
 
  private:
   std::shared_ptr<const surface::ScalpSurface> scalp_;
   surface::ScalpLandmarks landmarks_;
   mutable std::optional<surface::ScalpPaths> paths_;
   mutable std::optional<guidance::EegSites> sites_;
-  mutable std::optional<guidance::BeamF3> beam_;
+  mutable std::optional<guidance::BeamF3> beam_[2];  // left, right
 };
 
 /// Location of a preset on this head.

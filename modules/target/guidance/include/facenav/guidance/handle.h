@@ -1,6 +1,6 @@
 #pragma once
-// The handle of a planned coil: reads its signed angle and its gap from a target, and moves a target along
-// the scalp. The angle is defined as in planTarget.
+// The handle of a planned coil: reads its signed angle, its gap and its depth from a target, and moves a
+// target along the scalp. The angle is defined as in planTarget.
 
 #include <cmath>
 
@@ -30,6 +30,10 @@ double hairGap_mm(const Target& target);
 /// Returns the gap between the contact face's centre and the skin beneath it: hairGap_mm plus target.lift_mm.
 /// Compare a gap measured at the coil's centre with this one.
 double centreGap_mm(const Target& target);
+
+/// Returns how deep the cortex point lies below the scalp, along the coil's axis, mm. This is the depth of a
+/// target wherever one is stated; gap and lift are not part of it.
+double cortexDepth_mm(const Target& target);
 
 constexpr double kMostHandle_rad = M_PI;  // largest angle to either side
 constexpr double kMostGap_mm = 20.0;      // hair, cap and electrodes; the largest gap that is accepted
