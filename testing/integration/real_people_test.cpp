@@ -2,7 +2,7 @@
 // is shown of another person, of two moments, or of exchanged cameras. A picture is repeated with noise, as a
 // camera repeats a face at rest.
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -124,7 +124,9 @@ TEST_P(RealPeople, AreNotShownFromPicturesOfTwoMoments) {
 TEST_P(RealPeople, AreNotShownFromExchangedCameras) {
   FACENAV_NEEDS(pictures());
   const auto& [rig, start, later, stranger] = GetParam();
+  ::testing::internal::CaptureStderr();
   EXPECT_EQ(tracked(track({{start, start}}, true), 0), 0);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), ::testing::HasSubstr("both cameras see a face"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -48,6 +48,11 @@ std::unique_ptr<session::Navigator> makeNavigator(const Registrations& methods, 
   return navigator;
 }
 
+/// True if each camera by itself sees a face.
+bool doBothSeeAFace(const face::FaceDetector& detector, const cameras::StereoFrame& frame) {
+  return !detector.detectAll(frame.left).empty() && !detector.detectAll(frame.right).empty();
+}
+
 /// Starts at the first frame in which both cameras see a face that can be tracked. A face may be covered,
 /// blurred or cut off in one frame and plain to see in the next.
 StartedTracking startAtFirstFace(const Registrations& methods, const TrackRequest& request,
@@ -62,13 +67,17 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
   started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
                         " frames; check that both cameras see the whole face, upright and lit";
   std::shared_ptr<const cameras::StereoFrame> first;
+  std::int64_t contradicted = 0;
   for (std::int64_t i = 0, next = 0; auto frame = source->next(); ++i) {
     monitor.report("looking for a face",
                    double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
     if (!first) first = frame;
     if (i < next) continue;
     const auto face = face::findStereoFace(*detector, recording.rig, *frame);
-    if (!face) continue;
+    if (!face) {
+      if (contradicted == 0 && i % apart == 0) contradicted = doBothSeeAFace(*detector, *frame) ? i + 1 : 0;
+      continue;
+    }
     Start start{{*frame, {}, {}}, camera_T_mri};
     start.reference.face_px = face->left.face;
     try {
@@ -85,6 +94,11 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     }
   }
   if (!first) throw Error("the recording has no frame", recording.folder.string());
+  if (contradicted > 0 && started.why_no_head.rfind("no face", 0) == 0)
+    started.why_no_head =
+        "both cameras see a face (frame " + std::to_string(contradicted) +
+        " of the recording), but not where the calibration expects it; check which camera is "
+        "left, and the calibration";
   started.navigator = makeNavigator(methods, request, recording, {{*first, {}, {}}, camera_T_mri}, coil,
                                     std::make_unique<NoHead>());
   return started;
