@@ -35,8 +35,10 @@ void print(const casefile::WorklistEntry& entry) {
               entry.label.empty() ? "" : "  ", entry.label.c_str());
 }
 
-/// Says who looked at the model and when, and whether that still holds.
+/// Says who looked at the model or rejected the scan, when, and whether that still holds.
 std::string signedInWords(const casefile::SignOffStatus& status) {
+  if (const auto& rejection = status.rejection)
+    return "rejected by " + rejection->by + " at " + rejection->utc + ": " + rejection->reason;
   if (!status.last) return "not signed off";
   std::string words = "signed off by " + status.last->by + " at " + status.last->utc;
   if (!status.last->note.empty()) words += " (" + status.last->note + ")";

@@ -148,6 +148,9 @@ TEST_F(CommandValues, CheckSaysByWhomAndWhenItWasSigned) {
   EXPECT_THAT(json, HasSubstr("\"holds\": true"));
   EXPECT_EQ(runFacenav("brain " + at("case").string() + " --remove-sphere 2,2,2,6").status, 0);
   EXPECT_THAT(runFacenav(check).output, HasSubstr("void, changed since: brain"));
+  EXPECT_EQ(runFacenav(check + " --by B.C. --reject blurred").status, 0);
+  EXPECT_THAT(runFacenav(check).output, HasSubstr("rejected by B.C. at 2"));
+  EXPECT_THAT(runFacenav(check + " --json").output, HasSubstr("\"reason\": \"blurred\""));
 }
 
 TEST_F(CommandValues, VerbsThatListOrReportTakeJson) {

@@ -165,7 +165,7 @@ std::string inWordsOf(const casefile::CaseStore& store, std::string words) {
   return words;
 }
 
-/// Log odds that show this person's scan, or with the other sign another person's.
+/// Log odds from which on a scan is this person's. The same number below zero shows another person's scan.
 double leastOwn() { return settingsOf<registration::FitLimits>().least_own; }
 
 /// The ways tried so far.
@@ -185,7 +185,7 @@ struct Attempts {
   std::size_t used_ = 0;
   std::optional<Error> error_;
   bool is_turn_unknown_ = false;  // error_ says so
-  double against_ = 0.0;          // what refused ways say about this person's scan, if against it: log odds
+  double against_ = 0.0;          // least log odds of this person's scan by the refused ways; at most 0
 };
 
 void Attempts::take(Aligned aligned) {
@@ -229,7 +229,8 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
 }
 
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
-  // All ways show one head: what one says against this person, another must outweigh.
+  // All ways show one head. If one way speaks against this person, the best one must speak for it more
+  // strongly.
   const bool is_this_person =
       best_ && (against_ >= 0 || best_->outcome.result.own_log_odds + against_ > leastOwn());
   if (is_this_person) return std::move(*best_);

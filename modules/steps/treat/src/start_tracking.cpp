@@ -67,7 +67,9 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
   started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
                         " frames; check that both cameras see the whole face, upright and lit";
   std::shared_ptr<const cameras::StereoFrame> first;
-  std::int64_t contradicted = 0;
+  bool is_face_found = false;
+  std::optional<std::int64_t>
+      contradicted;  // a frame in which both cameras see a face, at places that disagree
   for (std::int64_t i = 0, next = 0; auto frame = source->next(); ++i) {
     monitor.report("looking for a face",
                    double(i) / double(std::max<std::int64_t>(1, recording.frame_count)));
@@ -75,9 +77,11 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     if (i < next) continue;
     const auto face = face::findStereoFace(*detector, recording.rig, *frame);
     if (!face) {
-      if (contradicted == 0 && i % apart == 0) contradicted = doBothSeeAFace(*detector, *frame) ? i + 1 : 0;
+      const bool is_asked = !is_face_found && !contradicted && i % apart == 0;
+      if (is_asked && doBothSeeAFace(*detector, *frame)) contradicted = frame->number;
       continue;
     }
+    is_face_found = true;
     Start start{{*frame, {}, {}}, camera_T_mri};
     start.reference.face_px = face->left.face;
     try {
@@ -94,11 +98,10 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     }
   }
   if (!first) throw Error("the recording has no frame", recording.folder.string());
-  if (contradicted > 0 && started.why_no_head.rfind("no face", 0) == 0)
-    started.why_no_head =
-        "both cameras see a face (frame " + std::to_string(contradicted) +
-        " of the recording), but not where the calibration expects it; check which camera is "
-        "left, and the calibration";
+  if (contradicted && !is_face_found)
+    started.why_no_head = "both cameras see a face (frame " + std::to_string(*contradicted) +
+                          "), but not where the calibration expects it; check which camera is left, and the "
+                          "calibration";
   started.navigator = makeNavigator(methods, request, recording, {{*first, {}, {}}, camera_T_mri}, coil,
                                     std::make_unique<NoHead>());
   return started;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<double, 6> kSize_mm{0.1, 0.2, 0.4, 0.8, 1.6, 3.2},
     kSizeShare{0.10, 0.28, 0.35, 0.21, 0.06, 0.0};
 constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.25, 0.35, 0.3, 0.1};
-// The same for another person's scan at the pose where it fits best.
+// These are the shares for another person's scan, at the pose where it fits best.
 constexpr std::array<double, 6> kOtherSizeShare{0.0, 0.0, 0.0, 0.02, 0.3, 0.68};
 constexpr std::array<double, 4> kOtherDetailShare{0.0, 0.01, 0.2, 0.79};
 constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
