@@ -28,8 +28,10 @@ QString wordFor(guidance::Action action, const ReadOut& read_out) {
       return GuidanceScreen::tr("TILT");
     case guidance::Action::turn:
       return GuidanceScreen::tr("TURN");
-    default:
+    case guidance::Action::hold:
       return GuidanceScreen::tr("HOLD");
+    default:  // the alignment is too uncertain to be on target
+      return GuidanceScreen::tr("ALIGN AGAIN");
   }
 }
 

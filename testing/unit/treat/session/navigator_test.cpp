@@ -210,6 +210,17 @@ TEST(Navigator, IsOnTargetWhereTheTargetWasPlannedAndFollowsTheHead) {
   EXPECT_EQ(state.guidance.state, guidance::State::adjust);
 }
 
+TEST(Navigator, IsNeverOnTargetWithAnAlignmentThatIsTooUncertain) {
+  auto navigator = makeNavigator(fakes::setup(), [](auto) { return RigidTransform<Camera, Head>(); });
+  ChosenTarget target = fakes::targetAt(kMarker.reframe<Camera, Coil>());
+  target.error_bound_mm = 8.0;
+  navigator.setTarget(target);
+  const auto state = navigator.process(fakes::frame(0, 0));
+  EXPECT_EQ(state.guidance.state, guidance::State::adjust);
+  EXPECT_NE(state.guidance.instruction.find("95 % within 8.0 mm"), std::string::npos);
+  EXPECT_TRUE(state.guidance.values);
+}
+
 TEST(Navigator, GivesNoPoseAndNoGuidanceWhenTheFaceIsLost) {
   auto navigator = makeNavigator(fakes::setup(), [](auto) { return std::nullopt; });
   navigator.setTarget(fakes::targetAt(kMarker.reframe<Camera, Coil>()));

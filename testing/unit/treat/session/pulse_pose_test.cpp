@@ -189,11 +189,11 @@ TEST(PulsePose, OverAHollowTheGapOfThePlannedCoilIsAllowed) {
 TEST(PulsePose, WhereTheAlignmentIsTooUncertainNoPulseIsOnTarget) {
   PosedFrame frame = frameAt(1, 100.0);
   ChosenTarget uncertain = *frame.chosen;
-  uncertain.predicted_error_mm = 2.4;
+  uncertain.error_bound_mm = 5.1;
   frame.chosen = std::make_shared<const ChosenTarget>(uncertain);
   const auto pulse = pulseBetween(triggerAt(100.01), frame, frameAt(2, 100.02));
   EXPECT_EQ(pulse.status, PulseStatus::outside);
-  EXPECT_THAT(pulse.reason, HasSubstr("uncertain by 2.4 mm (2.0 allowed)"));
+  EXPECT_THAT(pulse.reason, HasSubstr("alignment too uncertain (95 % within 5.1 mm, 5.0 allowed)"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "facenav/session/navigation_state.h"
 
+#include "facenav/core/number_text.h"
+
 namespace facenav::session {
 namespace {
 
@@ -72,6 +74,15 @@ std::string coilWords(LostReason reason) {
 }
 
 }  // namespace
+
+std::string tooUncertainInWords(const ChosenTarget& chosen) {
+  constexpr double kBound = 1.96;  // standard errors, where no bound is known
+  const double bound_mm =
+      chosen.error_bound_mm > 0 ? chosen.error_bound_mm : kBound * chosen.predicted_error_mm;
+  if (bound_mm <= kMostErrorBound_mm) return {};
+  return formatted("alignment too uncertain (95 %% within %.1f mm, %.1f allowed): align again", bound_mm,
+                   kMostErrorBound_mm);
+}
 
 std::optional<health::RigVerdict> rigFault(const NavigationState& state) {
   if (!state.withheld || !state.withheld->isOfCameras()) return std::nullopt;

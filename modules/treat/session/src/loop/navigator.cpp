@@ -192,6 +192,12 @@ void Navigator::guide(NavigationState& state) {
   const std::string loss = lossInWords(state);
   if (!loss.empty()) state.guidance.instruction = loss;
   previous_ = state.guidance;
+  if (!target_ || state.guidance.state != guidance::State::on_target) return;
+  const std::string uncertain = tooUncertainInWords(*target_);
+  if (uncertain.empty()) return;
+  state.guidance.state = guidance::State::adjust;
+  state.guidance.action = guidance::Action::none;
+  state.guidance.instruction = uncertain;
 }
 
 }  // namespace facenav::session

@@ -65,18 +65,14 @@ std::optional<Pose> between(const std::optional<Pose>& a, const std::optional<Po
 }
 
 /// Describes why a pulse is doubtful although the coil is on target.
-std::string doubtWords(const casefile::Pulse& pulse, const guidance::Target& target) {
+std::string doubtWords(const casefile::Pulse& pulse, const ChosenTarget& chosen) {
   std::string words;
-  const double planned_mm = guidance::centreGap_mm(target);
+  const double planned_mm = guidance::centreGap_mm(chosen.target);
   if (pulse.gap_mm && *pulse.gap_mm > planned_mm + kMostGapBeyondPlan_mm)
     words = formatted("gap of %.1f mm to the skin (%.1f planned, %.1f more allowed)", *pulse.gap_mm,
                       planned_mm, kMostGapBeyondPlan_mm);
-  if (pulse.predicted_error_mm && *pulse.predicted_error_mm > kMostPredictedError_mm)
-    words += (words.empty() ? "" : "; ") +
-             (pulse.error_bound_mm
-                  ? formatted("alignment too uncertain: 95 %% within %.1f mm", *pulse.error_bound_mm)
-                  : formatted("alignment uncertain by %.1f mm (%.1f allowed)", *pulse.predicted_error_mm,
-                              kMostPredictedError_mm));
+  const std::string uncertain = tooUncertainInWords(chosen);
+  if (!uncertain.empty()) words += (words.empty() ? "" : "; ") + uncertain;
   return words;
 }
 
@@ -90,7 +86,7 @@ void judge(casefile::Pulse& pulse, const PosedFrame& frame) {
   pulse.offset = {values.distance_mm, values.lateral_mm, values.depth_mm, values.tilt_rad * kDegPerRad,
                   values.twist_rad * kDegPerRad};
   pulse.reason = outsideWords(values, frame.tolerance);
-  if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, frame.chosen->target);
+  if (pulse.reason.empty()) pulse.reason = doubtWords(pulse, *frame.chosen);
   pulse.status = pulse.reason.empty() ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;
 }
 

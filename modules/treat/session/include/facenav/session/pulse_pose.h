@@ -34,10 +34,9 @@ constexpr double kLongestBetweenFrames_s = 0.25;
 /// tracking. Without that frame the pulse's pose is lost.
 constexpr double kLongestWait_s = 0.5;
 
-/// Limits of a pulse on target: gap to the skin beyond the planned one (centreGap_mm; 3 mm cost 12 % of the
-/// field, at 4 % a mm), and the alignment's predicted error at the target. A predicted error as large as the
-/// lateral tolerance leaves open whether the coil was on target.
-constexpr double kMostGapBeyondPlan_mm = 3.0, kMostPredictedError_mm = 2.0;
+/// Limit of a pulse on target: gap to the skin beyond the planned one (centreGap_mm; 3 mm cost 12 % of the
+/// field, at 4 % a mm). The alignment's error is limited too (kMostErrorBound_mm).
+constexpr double kMostGapBeyondPlan_mm = 3.0;
 
 /// Computes the pulse, without its number. `before`: the last frame taken at or before the pulse, `after`:
 /// the first one later; nothing if there is none. Lost if either frame is missing or has lost head or coil,
