@@ -5,6 +5,7 @@
 #include "facenav/anatomy/face_norms.h"
 #include "facenav/anatomy/head_norms.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/face/stereo_face.h"
 
 namespace facenav::measured_face {
 namespace {
@@ -74,8 +75,12 @@ double nearestLargeDepth_mm(const PointCloud<Camera>& cloud) {
 FaceInSpace findFace(const cameras::StereoRig& rig, const cameras::StereoFrame& plain,
                      const face::FaceDetector& detector) {
   FaceInSpace face;
-  face.left = detector.detect(plain.left);
-  face.right = detector.detect(plain.right);
+  if (auto both = face::findStereoFace(detector, rig, plain)) {
+    face.left = std::move(both->left), face.right = std::move(both->right);
+  } else {
+    face.left = detector.detect(plain.left);
+    face.right = detector.detect(plain.right);
+  }
   if (face.left && face.right && face.left->points68.size() == 68 && face.right->points68.size() == 68)
     setStart(face, triangulateAll(rig, *face.left, *face.right));
   return face;

@@ -9,9 +9,10 @@
 namespace facenav::measured_face {
 namespace {
 
-constexpr int kFineScale_px = 9;   // larger structures are skin and light
-constexpr int kPatch_px = 32;      // exposure and noise are estimated patch by patch
-constexpr double kPoint_px = 0.8;  // blur that gathers a dot's light: dots are 2 px and more
+constexpr int kFineScale_px = 9;       // larger structures are skin and light
+constexpr int kReductions[] = {2, 4};  // larger dots are points in smaller pictures
+constexpr int kPatch_px = 32;          // exposure and noise are estimated patch by patch
+constexpr double kPoint_px = 0.8;      // blur that gathers a dot's light: dots are 2 px and more
 constexpr double kAboveNoise = 4.0;
 constexpr double kLeastNoise_grey = 0.3;  // rounding to whole grey levels
 constexpr double kDark_grey = 4.0;        // darker patches show nothing
@@ -42,10 +43,11 @@ double noiseOf(const cv::Mat& patch) {
   return std::hypot(kSigmaPerMad * upperMedian(sizes) / 6.0, kLeastNoise_grey);
 }
 
-/// Factor of the plain picture's detail in the picture with dots, by least squares. Dots are independent of
-/// that detail.
-double gainOf(const cv::Mat& dotted, const cv::Mat& plain) {
-  return std::max(0.0, dotted.dot(plain) / std::max(1e-6, plain.dot(plain)));
+/// Factor of the plain picture's detail in the picture with dots: by least squares, since dots are
+/// independent of that detail, but at least as the levels differ. A face that moved in between has its detail
+/// elsewhere, and then least squares find none.
+double gainOf(const cv::Mat& dotted, const cv::Mat& plain, double levels) {
+  return std::max(levels, dotted.dot(plain) / std::max(1e-6, plain.dot(plain)));
 }
 
 bool isPeak(const cv::Mat& image, int x, int y, float sign) {
@@ -56,6 +58,22 @@ bool isPeak(const cv::Mat& image, int x, int y, float sign) {
       // Of two equal neighbours only one is counted.
       if (there > here || (there == here && (dy < 0 || (dy == 0 && dx < 0)))) return false;
     }
+  return true;
+}
+
+/// True unless a ridge runs through the point: along an edge that moved between the pictures, many peaks lie
+/// in a line. A dot is lower to at least one side in each direction.
+bool isPoint(const cv::Mat& image, int x, int y) {
+  constexpr int kAside_px = 3;
+  const float half = 0.5f * std::abs(image.at<float>(y, x));
+  const auto isHigh = [&](int dx, int dy) {
+    const int to_x = x + kAside_px * dx, to_y = y + kAside_px * dy;
+    const bool is_inside = to_x >= 0 && to_y >= 0 && to_x < image.cols && to_y < image.rows;
+    return is_inside && std::abs(image.at<float>(to_y, to_x)) > half &&
+           (image.at<float>(to_y, to_x) > 0) == (image.at<float>(y, x) > 0);
+  };
+  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}})
+    if (isHigh(dx, dy) && isHigh(-dx, -dy)) return false;
   return true;
 }
 
@@ -83,7 +101,7 @@ void addPoints(const cv::Rect& patch, const Pictures& all, DotsSeen& seen, Point
   const double level = cv::mean(all.dotted(patch))[0];
   if (level < kDark_grey) return;
   const cv::Mat dotted = all.dotted_fine(patch), plain = all.plain_fine(patch);
-  const double gain = gainOf(dotted, plain);
+  const double gain = gainOf(dotted, plain, level / std::max(1.0, cv::mean(all.plain(patch))[0]));
   cv::Mat difference = dotted - gain * plain;
   cv::GaussianBlur(difference, difference, {5, 5}, kPoint_px);
   const double limit = kAboveNoise * leftByBlur() * noiseOf(all.plain(patch)) * std::sqrt(1.0 + gain * gain);
@@ -91,8 +109,9 @@ void addPoints(const cv::Rect& patch, const Pictures& all, DotsSeen& seen, Point
   for (int y = 1; y + 1 < difference.rows; ++y)
     for (int x = 1; x + 1 < difference.cols; ++x) {
       const double height = double(difference.at<float>(y, x));
-      if (height > limit && isPeak(difference, x, y, 1)) points.bright.push_back(height / level);
-      if (height < -limit && isPeak(difference, x, y, -1)) points.dark.push_back(-height / level);
+      if (std::abs(height) < limit || !isPeak(difference, x, y, height > 0 ? 1.0f : -1.0f)) continue;
+      if (isPoint(difference, x, y))
+        (height > 0 ? points.bright : points.dark).push_back(std::abs(height) / level);
     }
 }
 
@@ -124,6 +143,19 @@ DotsSeen counted(const DotsSeen& seen, const Points& points) {
   return best;
 }
 
+/// Counts the points at this size of the pictures.
+DotsSeen countedIn(const cv::Mat& dotted, const cv::Mat& plain) {
+  DotsSeen seen;
+  const Pictures all{dotted, plain, fineDetail(dotted), fineDetail(plain)};
+  Points points;
+  for (int y = 0; y < plain.rows; y += kPatch_px)
+    for (int x = 0; x < plain.cols; x += kPatch_px) {
+      const cv::Rect patch = cv::Rect(x, y, kPatch_px, kPatch_px) & cv::Rect({}, plain.size());
+      if (patch.width >= kFineScale_px && patch.height >= kFineScale_px) addPoints(patch, all, seen, points);
+    }
+  return counted(seen, points);
+}
+
 }  // namespace
 
 bool DotsSeen::areThere() const {
@@ -134,19 +166,21 @@ double DotsSeen::areaOfOne_px() const { return share * double(area_px) / std::ma
 
 DotsSeen findDots(const capture::CapturePair& capture, const std::optional<cv::Rect>& face) {
   const cv::Mat &dotted = capture.pattern.left, &plain = capture.plain.left;
-  DotsSeen seen;
   if (dotted.empty() || dotted.size() != plain.size() || dotted.type() != CV_8U || plain.type() != CV_8U)
-    return seen;
+    return {};
   const cv::Rect whole(0, 0, dotted.cols, dotted.rows), region = face ? (*face & whole) : whole;
-  if (region.area() == 0) return seen;
-  const Pictures all{dotted(region), plain(region), fineDetail(dotted(region)), fineDetail(plain(region))};
-  Points points;
-  for (int y = 0; y < region.height; y += kPatch_px)
-    for (int x = 0; x < region.width; x += kPatch_px) {
-      const cv::Rect patch = cv::Rect(x, y, kPatch_px, kPatch_px) & cv::Rect({}, region.size());
-      if (patch.width >= kFineScale_px && patch.height >= kFineScale_px) addPoints(patch, all, seen, points);
-    }
-  return counted(seen, points);
+  if (region.area() == 0) return {};
+  DotsSeen seen = countedIn(dotted(region), plain(region));
+  for (const int times : kReductions) {
+    if (seen.areThere() || std::min(region.width, region.height) < times * kPatch_px) break;
+    cv::Mat small_dotted, small_plain;
+    cv::resize(dotted(region), small_dotted, {}, 1.0 / times, 1.0 / times, cv::INTER_AREA);
+    cv::resize(plain(region), small_plain, {}, 1.0 / times, 1.0 / times, cv::INTER_AREA);
+    DotsSeen larger = countedIn(small_dotted, small_plain);
+    larger.area_px *= times * times;
+    if (larger.areThere()) seen = larger;
+  }
+  return seen;
 }
 
 bool showsDots(const capture::CapturePair& capture, const std::optional<cv::Rect>& face) {

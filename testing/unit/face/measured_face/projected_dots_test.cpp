@@ -15,6 +15,8 @@ struct Look {
   double noise_grey = 1.5, exposure = 1.0;  // exposure: of the picture with dots, relative to the plain one
   double moved_px = 0;                      // motion between the pictures
   std::uint64_t seed = 1;
+  int dot_px = 2;
+  double knots_grey = 0;  // height of the bright knots of a cloth that covers all
 };
 
 /// Skin: shading, pores of 5 % and a bright shirt without dots below.
@@ -32,6 +34,21 @@ cv::Mat skin(double moved_px) {
   return image;
 }
 
+/// Adds the bright knots of a cloth, about every 7 px.
+void addKnots(double height_grey, double moved_px, cv::Mat& image) {
+  if (height_grey == 0) return;
+  cv::RNG random(5);
+  cv::Mat knots = cv::Mat::zeros(image.size(), CV_32F);
+  const int shift_px = int(std::lround(moved_px));
+  for (int y = 0; y + 7 < image.rows; y += 7)
+    for (int x = 0; x + 7 + shift_px < image.cols; x += 7) {
+      const cv::Point at(x + random.uniform(0, 5), y + random.uniform(0, 5));
+      knots(cv::Rect(at.x + shift_px, at.y, 2, 2)) = height_grey;
+    }
+  cv::GaussianBlur(knots, knots, {0, 0}, 0.6);
+  image += knots;
+}
+
 cv::Mat taken(cv::Mat image, double noise_grey, std::uint64_t seed) {
   cv::RNG random(seed);
   cv::Mat noise(image.size(), CV_32F), out;
@@ -45,12 +62,16 @@ capture::CapturePair pairOf(const Look& look) {
   cv::Mat dotted = skin(look.moved_px), dots = cv::Mat::zeros(dotted.size(), CV_32F);
   for (int y = 0; y + look.apart_px <= 380; y += look.apart_px)
     for (int x = 0; x + look.apart_px <= dots.cols; x += look.apart_px)
-      dots(cv::Rect(x + random.uniform(0, look.apart_px - 1), y + random.uniform(0, look.apart_px - 1), 2,
-                    2)) = look.dots_grey;
-  cv::GaussianBlur(dots, dots, {0, 0}, 0.6);
+      dots(cv::Rect(x + random.uniform(0, look.apart_px - look.dot_px + 1),
+                    y + random.uniform(0, look.apart_px - look.dot_px + 1), look.dot_px, look.dot_px)) =
+          look.dots_grey;
+  cv::GaussianBlur(dots, dots, {0, 0}, 0.3 * look.dot_px);
+  cv::Mat plain = skin(0);
+  addKnots(look.knots_grey, look.moved_px, dotted);
+  addKnots(look.knots_grey, 0, plain);
   dotted = look.exposure * (dotted + dots);
   const cv::Mat with = taken(dotted, look.noise_grey, look.seed + 100),
-                without = taken(skin(0), look.noise_grey, look.seed + 200);
+                without = taken(plain, look.noise_grey, look.seed + 200);
   return {{with, with}, {without, without}};
 }
 
@@ -75,6 +96,20 @@ TEST(ProjectedDots, AreNotSeenWhereThereAreNone) {
             << exposure << ", " << moved_px << " px, " << noise_grey << " grey levels";
         EXPECT_FALSE(areDotsSparse(pair));
       }
+}
+
+TEST(ProjectedDots, AreSeenInAnySize) {
+  for (const int dot_px : {2, 4, 7, 12}) {
+    const auto pair = pairOf({40, 7 * dot_px / 2, 1.5, 1.0, 0.0, 1, dot_px});
+    EXPECT_TRUE(showsDots(pair)) << dot_px << " px";
+  }
+}
+
+TEST(ProjectedDots, AreNotTheBrightKnotsOfAClothThatMoved) {
+  for (const double moved_px : {2.0, 3.0, 10.0}) {
+    const auto pair = pairOf({0, 7, 1.5, 1.0, moved_px, 1, 2, 40.0});
+    EXPECT_FALSE(showsDots(pair)) << moved_px << " px";
+  }
 }
 
 TEST(ProjectedDots, AreSeenInAFaceThatMovedALittle) {
