@@ -6,10 +6,12 @@
 #include "evaluate/gate_truth.h"
 #include "evaluate/gate_words.h"
 #include "evaluate/mirrored_scan.h"
+#include "facenav/align/film_beginning.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/evaluation/frame_errors.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/measured_face/aligned_from.h"
 #include "facenav/treat/track_recording.h"
 
 namespace facenav::app {
@@ -112,13 +114,21 @@ Off offBy(const Eigen::Isometry3d& pose, const Eigen::Isometry3d& truth, const P
           kDegPerRad * rotationAngle(pose.linear().transpose() * truth.linear())};
 }
 
-void noteAlignment(const Trial& trial, GateRow& row) {
+/// Number of the frame that the pose belongs to: the film's first one with a face, or -1, the capture.
+int alignedFrame(const Context& context, const Trial& trial, const casefile::StoredAlignment& alignment) {
+  if (alignment.from != measured_face::nameOf(measured_face::AlignedFrom::film)) return -1;
+  const auto detector = context.registrations.face_detector();
+  return int(steps::beginningOf(capture::openRecording(trial.recording), detector.get()).first);
+}
+
+void noteAlignment(const Context& context, const Trial& trial, GateRow& row) {
   const auto store = casefile::CaseStore::open(trial.case_folder);
   const auto alignment = store.alignment();
   if (!alignment) return;
   row.is_accepted = true;
   row.from = alignment->from.value_or("");
-  const auto off = offBy(alignment->camera_T_mri.isometry(), seenTruth(trial, -1, false), trial.head.target);
+  const auto truth = seenTruth(trial, alignedFrame(context, trial, *alignment), false);
+  const auto off = offBy(alignment->camera_T_mri.isometry(), truth, trial.head.target);
   row.start_mm = off.mm, row.start_deg = off.deg;
   const auto bound = alignment->predicted_tre_p95_mm.find(kTarget);
   if (bound != alignment->predicted_tre_p95_mm.end()) row.bound_mm = bound->second;
@@ -202,7 +212,7 @@ void track(Context& context, const Trial& trial, GateRow& row) {
   try {
     const auto outcome = steps::trackRecording(context.registrations, request, context.monitor,
                                                [&](const session::NavigationState& state) {
-                                                 if (!has_frames) noteAlignment(trial, row);
+                                                 if (!has_frames) noteAlignment(context, trial, row);
                                                  has_frames = true;
                                                  noteFrame(state, trial, row, losses);
                                                });

@@ -85,7 +85,7 @@ Aligned align(const Registrations& methods, const capture::Recording& recording,
   const auto tracker =
       trackers.create(order.head_tracker.empty() ? trackers.defaultName() : order.head_tracker);
   const auto film = capture::makeSource(recording);
-  const auto [first, last] = beginningOf(recording);
+  const auto [first, last] = beginningOf(recording, &setup.detector);
   Aligned aligned{alignFromFilm(*film, first, last, *tracker, setup, monitor), {}};
   aligned.pictures = {aligned.outcome.reference.frame, aligned.outcome.reference.frame};
   return aligned;
@@ -300,17 +300,6 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
   if (const auto words = contradiction(result, at)) result.outcome.result.cautions.push_back(*words);
   storeAlignment(store, recording.rig, best.pictures, result.outcome);
   return result;
-}
-
-AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
-                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor) {
-  capture::Recording recording;
-  recording.rig = rig;
-  recording.capture = capture;
-  AlignOrder order{aligner};
-  order.may_be_unsure = true;
-  return alignRecording(methods, store, recording, order, monitor).outcome;
 }
 
 std::string inWords(const CaseAlignment& alignment) {

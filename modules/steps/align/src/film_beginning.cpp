@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "facenav/face/stereo_face.h"
+
 namespace facenav::steps {
 namespace {
 
@@ -10,10 +12,15 @@ constexpr double kFilm_s = 2.0;
 
 }  // namespace
 
-std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording) {
-  const auto frame = capture::makeSource(recording)->next();
-  const std::int64_t first = frame ? frame->number : 0;
-  return {first, first + std::int64_t(std::lround(kFilm_s * recording.frames_per_s))};
+std::pair<std::int64_t, std::int64_t> beginningOf(const capture::Recording& recording,
+                                                  const face::FaceDetector* detector) {
+  const auto length = std::int64_t(std::lround(kFilm_s * recording.frames_per_s));
+  const auto film = capture::makeSource(recording);
+  const auto frame = film->next();
+  const std::int64_t start = frame ? frame->number : 0;
+  for (auto now = frame; detector && now && now->number <= start + length; now = film->next())
+    if (face::findStereoFace(*detector, recording.rig, *now)) return {now->number, now->number + length};
+  return {start, start + length};
 }
 
 std::optional<health::ScaleObservation> restingMarkerIn(const capture::Recording& recording,

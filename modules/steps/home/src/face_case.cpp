@@ -23,7 +23,7 @@ FaceModel measureFrom(measured_face::AlignedFrom from, const FaceRecording& of, 
   const auto& trackers = of.methods.head_trackers;
   const auto tracker = trackers.create(trackers.defaultName());
   const auto film = capture::makeSource(of.recording);
-  const auto [first, last] = beginningOf(of.recording);
+  const auto [first, last] = beginningOf(of.recording, &of.setup.detector);
   return measureFaceModel(*film, first, last, *tracker, of.setup, monitor);
 }
 

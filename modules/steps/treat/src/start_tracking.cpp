@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "facenav/align/align_case.h"
 #include "facenav/align/stored_capture.h"
 #include "facenav/core/log.h"
 #include "facenav/face/stereo_face.h"
@@ -142,7 +143,12 @@ StartedTracking startTracking(const Registrations& methods, const TrackRequest& 
     if (const auto face = face::findStereoFace(*methods.face_detector(), recording.rig, capture->plain))
       start.reference.face_px = face->left.face;
   } else {
-    started.alignment = alignCase(methods, store, recording.rig, *capture, request.aligner, monitor);
+    capture::Recording pictures = recording;
+    pictures.capture = capture;
+    AlignOrder order{request.aligner, request.head_tracker};
+    order.coil = coil;
+    order.may_be_unsure = true;  // nobody is treated from a recording
+    started.alignment = alignRecording(methods, store, pictures, order, monitor).outcome;
     start = {started.alignment->reference, started.alignment->result.camera_T_mri, started.alignment->scalp};
   }
   started.is_aligned = true;

@@ -118,8 +118,8 @@ class NotEnoughFace : public Error {
 /// show it: they are other evidence about the same head.
 class NotThisPerson : public Error {
  public:
-  NotThisPerson(const std::string& what, const std::string& remedy, double own_log_odds)
-      : Error(what, {}, remedy), own_log_odds(own_log_odds) {}
+  NotThisPerson(const std::string& what, const std::string& remedy, double log_odds)
+      : Error(what, {}, remedy), own_log_odds(log_odds) {}
   double own_log_odds;  // of this person's scan against another's
 };
 

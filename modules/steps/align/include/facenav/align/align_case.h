@@ -59,11 +59,6 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                              const capture::Recording& recording, const AlignOrder& order,
                              TaskMonitor& monitor);
 
-/// Aligns from a capture pair alone; the result may be unsure.
-AlignmentOutcome alignCase(const Registrations& methods, const casefile::CaseStore& store,
-                           const cameras::StereoRig& rig, const capture::CapturePair& capture,
-                           const std::string& aligner, TaskMonitor& monitor);
-
 /// Writes an alignment and its files into the case: alignment.json, alignment_capture/ (photographs),
 /// skin_fit.vtp and skin_fit.png. All or none, private to the user from the first byte. Throws Error; the
 /// previous alignment is then unchanged.
