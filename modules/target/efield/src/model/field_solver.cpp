@@ -1,0 +1,79 @@
+#include "facenav/efield/field_solver.h"
+
+#include "facenav/core/parallel_for.h"
+#include "facenav/surface/closest_point.h"
+#include "model/boundary_system.h"
+#include "modes/coil_rows.h"
+
+namespace facenav::efield {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double kLeastDepthEdges = 0.5;  // of a point below the innermost surface, in edges of its triangles
+
+surface::TriangleMesh triangleMesh(const ShellMesh& shell) {
+  surface::TriangleMesh mesh;
+  for (const auto vertex : shell.vertices_mm.colwise()) mesh.vertices_mm.emplace_back(vertex);
+  const Eigen::Matrix3Xd areas = vertexAreas_mm2(shell);
+  for (const auto area : areas.colwise()) mesh.normals.push_back(area.normalized());
+  for (const auto triangle : shell.triangles.colwise()) mesh.triangles.emplace_back(triangle);
+  return mesh;
+}
+
+}  // namespace
+
+FieldSolver::FieldSolver(HeadModel head, const Conductivities& conductivities, TaskMonitor& monitor)
+    : head_(std::move(head)),
+      system_(std::make_unique<BoundarySystem>(shellsOf(head_, conductivities), monitor)) {}
+FieldSolver::~FieldSolver() = default;
+FieldSolver::FieldSolver(FieldSolver&&) noexcept = default;
+FieldSolver& FieldSolver::operator=(FieldSolver&&) noexcept = default;
+
+Eigen::Matrix3Xd FieldSolver::fieldAt(const CoilDipoles& coil,
+                                      const RigidTransform<Mri, frames::Coil>& mri_T_coil,
+                                      const Eigen::Matrix3Xd& points_mm) const {
+  const DipoleArray dipoles = dipolesAt(coil, mri_T_coil);
+  Eigen::MatrixXf weights = fluxOf(*system_, dipoles);
+  system_->removeMeans(weights);
+  dense::solveTransposed(dense::viewOf(system_->lu), system_->pivots, dense::viewOf(weights));
+  const Eigen::VectorXd weight = weights.col(0).cast<double>() / (4 * M_PI);
+  Eigen::Matrix3Xd field(3, points_mm.cols());
+  parallelRanges(0, int(points_mm.cols()), [&](int begin, int end) {
+    for (int p = begin; p < end; ++p) {
+      Vector3d sum = Vector3d::Zero();
+      for (Index d = 0; d < dipoles.size(); ++d) {
+        const Vector3d from = points_mm.col(p) - dipoles.positions_mm.col(d).cast<double>();
+        const Vector3d moment = dipoles.moments.col(d).cast<double>();
+        sum += moment.cross(from) / (from.squaredNorm() * from.norm());
+      }
+      for (Index i = 0; i < weight.size(); ++i) {
+        const Vector3d to = system_->vertices_mm.col(i) - points_mm.col(p);
+        sum += weight[i] / (to.squaredNorm() * to.norm()) * to;
+      }
+      field.col(p) = kFieldOfUnits * sum;
+    }
+  });
+  return field;
+}
+
+ReachablePoints reachablePoints(const ShellMesh& innermost, const Eigen::Matrix3Xd& points_mm) {
+  const surface::ClosestPoint surface(triangleMesh(innermost));
+  const Eigen::VectorXd edges_mm = vertexEdges_mm(innermost);
+  ReachablePoints reachable{points_mm, std::vector<bool>(std::size_t(points_mm.cols()))};
+  std::optional<int> near;
+  for (Index p = 0; p < points_mm.cols(); ++p) {
+    const auto place = surface.nearest(Point<Mri>(points_mm.col(p)), near);
+    near = place.triangle;
+    double edge_mm = 0;
+    for (int c = 0; c < 3; ++c) edge_mm += edges_mm[innermost.triangles(c, place.triangle)] / 3;
+    const double least_mm = kLeastDepthEdges * edge_mm;
+    if (!place.is_outside && place.distance_mm >= least_mm) continue;
+    reachable.points_mm.col(p) = place.point.mm - least_mm * place.normal.v;
+    reachable.is_moved[std::size_t(p)] = true;
+  }
+  return reachable;
+}
+
+}  // namespace facenav::efield
