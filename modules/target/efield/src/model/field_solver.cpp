@@ -3,6 +3,7 @@
 #include "facenav/core/parallel_for.h"
 #include "facenav/surface/closest_point.h"
 #include "model/boundary_system.h"
+#include "model/shell_surface.h"
 #include "modes/coil_rows.h"
 
 namespace facenav::efield {
@@ -11,16 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-constexpr double kLeastDepthEdges = 0.5;  // of a point below the innermost surface, in edges of its triangles
-
-surface::TriangleMesh triangleMesh(const ShellMesh& shell) {
-  surface::TriangleMesh mesh;
-  for (const auto vertex : shell.vertices_mm.colwise()) mesh.vertices_mm.emplace_back(vertex);
-  const Eigen::Matrix3Xd areas = vertexAreas_mm2(shell);
-  for (const auto area : areas.colwise()) mesh.normals.push_back(area.normalized());
-  for (const auto triangle : shell.triangles.colwise()) mesh.triangles.emplace_back(triangle);
-  return mesh;
-}
+constexpr double kLeastDepthEdges = 0.4;  // of a point below the innermost surface, in edges of its triangles
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "facenav/core/error.h"
+#include "facenav/surface/closest_point.h"
+#include "model/shell_surface.h"
 
 namespace facenav::efield {
 namespace {
@@ -27,6 +29,16 @@ void writePatch(const Vector3d& middle, const Vector3d& moment, Eigen::Index fir
     dipoles.positions_mm.col(first + i) = place.cast<float>();
     dipoles.moments.col(first + i) = moment.cast<float>();
   }
+}
+
+/// True if all dipoles of the patch lie off the skin: a nose, an ear or a hollow neck may reach into it.
+bool isOutside(const surface::ClosestPoint& scalp, const DipoleArray& dipoles, Eigen::Index first) {
+  constexpr double kLeast_mm = 0.7 * kNearest_mm;
+  for (int i = 0; i < kPatch; ++i) {
+    const auto place = scalp.nearest(Point<Mri>(dipoles.positions_mm.col(first + i).cast<double>()));
+    if (!place.is_outside || place.distance_mm < kLeast_mm) return false;
+  }
+  return true;
 }
 
 /// Draws a place on triangles, evenly by area.
@@ -76,7 +88,9 @@ SourceArray trainingSources(const ShellMesh& scalp, double lowest_z_mm, int coun
   sources.dipoles_each = kPatch;
   sources.dipoles.positions_mm.resize(3, kPatch * count);
   sources.dipoles.moments.resize(3, kPatch * count);
-  for (int i = 0; i < count; ++i) {
+  const surface::ClosestPoint surface(triangleMesh(scalp));
+  for (int i = 0, tries = 0; i < count; ++tries) {
+    FACENAV_EXPECT(tries < 100 * count, "room for a coil outside the head");
     const double which = uniform(), s = uniform(), t = uniform();
     const auto place = places.draw(which, s, t);
     const double off_mm = kNearest_mm + kFarther_mm * std::pow(uniform(), 1.5);
@@ -84,6 +98,7 @@ SourceArray trainingSources(const ShellMesh& scalp, double lowest_z_mm, int coun
     const Vector3d tilt = kTilt * Vector3d(r * std::cos(turn), r * std::sin(turn), z);
     writePatch(place.at + off_mm * place.normal, (place.normal + tilt).normalized(), kPatch * i,
                sources.dipoles);
+    if (isOutside(surface, sources.dipoles, kPatch * i)) ++i;
   }
   return sources;
 }

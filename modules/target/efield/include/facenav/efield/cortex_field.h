@@ -23,10 +23,10 @@ struct CortexField {
   double mode_error = 0;  // root mean square relative error of the intake, on sources it was not fitted to
 };
 
-/// Makes the modes for points of the cortex (3 x n, Mri). `most_modes`: a multiple of 32; 256 leave
+/// Makes the modes for points of the cortex (3 x n, Mri). `most_modes`: a multiple of 32; 288 leave
 /// 0.3 % of the field of a figure-8 coil. Throws Error for no points, Cancelled.
 CortexField makeCortexField(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm,
-                            TaskMonitor& monitor, int most_modes = 256);
+                            TaskMonitor& monitor, int most_modes = 288);
 
 /// Field at all points, 3 x n. One thread.
 Eigen::Matrix3Xf fieldAt(const CortexField& field, const CoilDipoles& coil,
@@ -36,6 +36,8 @@ Eigen::Matrix3Xf fieldAt(const CortexField& field, const CoilDipoles& coil,
 /// nothing.
 void writeCortexField(const CortexField& field, const std::string& model, const std::filesystem::path& path,
                       FileAccess access = FileAccess::owner_only);
+/// The text `model` of a file. Throws Error: no such file, not a field.
+std::string modelOfFile(const std::filesystem::path& path);
 /// Reads a field. Throws Error: no such file, damaged, or written for another model.
 CortexField readCortexField(const std::filesystem::path& path, const std::string& model);
 

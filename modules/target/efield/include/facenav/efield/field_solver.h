@@ -44,8 +44,8 @@ struct ReachablePoints {
   Eigen::Matrix3Xd points_mm;
   std::vector<bool> is_moved;
 };
-/// Moves points that lie outside `innermost`, or nearer to it than half an edge of its triangles, inwards to
-/// that depth: nearer to the surface the piecewise linear potential gives no field.
+/// Moves points that lie outside `innermost`, or nearer to it than 0.4 edges of its triangles (2 mm on top),
+/// inwards to that depth: nearer to the surface the piecewise linear potential gives no field.
 ReachablePoints reachablePoints(const ShellMesh& innermost, const Eigen::Matrix3Xd& points_mm);
 
 }  // namespace facenav::efield
