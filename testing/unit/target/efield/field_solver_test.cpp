@@ -75,6 +75,19 @@ TEST(FieldSolver, DoesNotDependOnConductivityInABall) {
             0.009);  // each is 0.4 % off the closed form
 }
 
+TEST(FieldSolver, AFluidRoundTheBrainChangesNothingInABall) {
+  HeadModel head = balls(3);
+  head.brain = ball(72, 3);
+  TaskMonitor monitor;
+  const FieldSolver four(head, {}, monitor);
+  EXPECT_EQ(four.innermost().vertices_mm, head.brain->vertices_mm);
+  Draw draw(13);
+  const Pose pose = draw.pose();
+  const auto points = draw.pointsUnder(pose, 58, 60);
+  EXPECT_LT(relativeError(four.fieldAt(figureEight(), pose, points), closedForm(figureEight(), pose, points)),
+            0.012);
+}
+
 /// The flux through the coil of a current dipole in the brain, computed forwards: potentials on the
 /// surfaces first.
 TEST(FieldSolver, IsReciprocalToTheFluxOfACurrentInTheBrain) {
