@@ -25,7 +25,7 @@ constexpr Index kSubset = 1000;  // points on which modes are made orthogonal
 constexpr Index kPointBlock = 512;  // points whose rows are made together
 constexpr Index kSamples = 642;     // vertices of the skull at which the coil's field is taken
 constexpr int kFitSteps = 8;        // of the iterated ridge regression
-constexpr float kRidge = 1e-7f;     // relative to the sum of the squares
+constexpr float kFitRidge = 1e-7f;  // relative to the sum of the squares
 
 const auto kShare = float(1 / (4 * M_PI));
 
@@ -147,7 +147,7 @@ class ModeMaker {
     const auto [at_samples, modes] = pairsOf(kFitSources, 3);
     MatrixXf gram = MatrixXf::Zero(at_samples.rows(), at_samples.rows());
     addProduct(viewOf(gram), 1.f, viewOf(at_samples), viewOf(at_samples).transposed());
-    gram.diagonal().array() += kRidge * gram.diagonal().sum();
+    gram.diagonal().array() += kFitRidge * gram.diagonal().sum();
     const dense::Pivots pivots = dense::factorise(viewOf(gram));
     MatrixXf map = MatrixXf::Zero(at_samples.rows(), modes.rows());  // transposed
     MatrixXf residual = modes;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Off the scalp. The far end of a flat coil's wing lies some 50 mm off a round head.
-constexpr double kNearest_mm = 10.0, kFarther_mm = 50.0;
+constexpr double kLeastOff_mm = 10.0, kMoreOff_mm = 50.0;
 constexpr double kPatchRadius_mm = 18.0;
 constexpr double kTilt = 0.3;  // tangent of a patch's largest tilt against the scalp, about
 constexpr int kPatch = 7;      // dipoles of a patch: its middle and a ring
@@ -33,7 +33,7 @@ void writePatch(const Vector3d& middle, const Vector3d& moment, Eigen::Index fir
 
 /// True if all dipoles of the patch lie off the skin: a nose, an ear or a hollow neck may reach into it.
 bool isOutside(const surface::ClosestPoint& scalp, const DipoleArray& dipoles, Eigen::Index first) {
-  constexpr double kLeast_mm = 0.7 * kNearest_mm;
+  constexpr double kLeast_mm = 0.7 * kLeastOff_mm;
   for (int i = 0; i < kPatch; ++i) {
     const auto place = scalp.nearest(Point<Mri>(dipoles.positions_mm.col(first + i).cast<double>()));
     if (!place.is_outside || place.distance_mm < kLeast_mm) return false;
@@ -93,7 +93,7 @@ SourceArray trainingSources(const ShellMesh& scalp, double lowest_z_mm, int coun
     FACENAV_EXPECT(tries < 100 * count, "room for a coil outside the head");
     const double which = uniform(), s = uniform(), t = uniform();
     const auto place = places.draw(which, s, t);
-    const double off_mm = kNearest_mm + kFarther_mm * std::pow(uniform(), 1.5);
+    const double off_mm = kLeastOff_mm + kMoreOff_mm * std::pow(uniform(), 1.5);
     const double z = 2 * uniform() - 1, turn = 2 * M_PI * uniform(), r = std::sqrt(1 - z * z);
     const Vector3d tilt = kTilt * Vector3d(r * std::cos(turn), r * std::sin(turn), z);
     writePatch(place.at + off_mm * place.normal, (place.normal + tilt).normalized(), kPatch * i,
