@@ -55,7 +55,41 @@ std::vector<Shell> shellsOf(const HeadModel& head, const Conductivities& s) {
   return shells;
 }
 
-BoundarySystem::BoundarySystem(const std::vector<Shell>& shells, TaskMonitor& monitor) {
+SpreadCharges::SpreadCharges(const ShellMesh& mesh) : corners(mesh.triangles) {
+  constexpr int kParts = 3;             // of an edge
+  constexpr double kReachEdges = 1.75;  // farther away the lumps leave 0.1 %
+  std::vector<Eigen::Vector3d> middles;
+  for (int i = 0; i < kParts; ++i)
+    for (int j = 0; i + j < kParts; ++j) {
+      middles.emplace_back(3 * (kParts - i - j) - 2, 3 * i + 1, 3 * j + 1);
+      if (i + j + 1 < kParts) middles.emplace_back(3 * (kParts - i - j) - 4, 3 * i + 2, 3 * j + 2);
+    }
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(mesh.vertices_mm.cols());
+  areas.resize(3, corners.cols());
+  Eigen::VectorXd triangle_areas(corners.cols());
+  for (Index t = 0; t < corners.cols(); ++t) {
+    const Eigen::Vector3d a = mesh.vertices_mm.col(corners(0, t));
+    const Eigen::Vector3d b = mesh.vertices_mm.col(corners(1, t)), c = mesh.vertices_mm.col(corners(2, t));
+    triangle_areas[t] = 0.5 * (b - a).cross(c - a).norm();
+    for (int v = 0; v < 3; ++v) sums[corners(v, t)] += triangle_areas[t] / 3;
+  }
+  for (Index t = 0; t < corners.cols(); ++t)
+    for (int v = 0; v < 3; ++v) areas(v, t) = float(triangle_areas[t] / kNodes / sums[corners(v, t)]);
+  for (int node = 0; node < kNodes; ++node) {
+    const Eigen::Vector3d share = middles[std::size_t(node)] / (3.0 * kParts);
+    Eigen::Matrix3Xd places(3, corners.cols());
+    for (Index t = 0; t < corners.cols(); ++t)
+      places.col(t) = share[0] * mesh.vertices_mm.col(corners(0, t)) +
+                      share[1] * mesh.vertices_mm.col(corners(1, t)) +
+                      share[2] * mesh.vertices_mm.col(corners(2, t));
+    nodes.emplace_back(places);
+    for (int v = 0; v < 3; ++v) shares[node][v] = float(share[v]);
+  }
+  reach_mm = float(kReachEdges * vertexEdges_mm(mesh).mean());
+}
+
+BoundarySystem::BoundarySystem(const std::vector<Shell>& shells, TaskMonitor& monitor)
+    : spread(shells.front().mesh) {
   first.push_back(0);
   for (const Shell& shell : shells) first.push_back(first.back() + shell.mesh.vertices_mm.cols());
   vertices_mm.resize(3, first.back());

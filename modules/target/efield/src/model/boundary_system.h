@@ -32,6 +32,19 @@ struct Shell {
 /// Shells of a model, the innermost first. Throws Error unless each is closed.
 std::vector<Shell> shellsOf(const HeadModel& head, const Conductivities& conductivities);
 
+/// The innermost shell's charges spread over its triangles, for points near to it: seen from nearer than
+/// about an edge, charges at the vertices alone are lumps.
+struct SpreadCharges {
+  static constexpr int kNodes = 9;  // of a triangle: middles of its parts
+  float shares[kNodes][3];          // of a node by corner
+  std::vector<PointArrays> nodes;   // by node: its place in each triangle
+  Eigen::Matrix3Xi corners;
+  Eigen::Matrix3Xf areas;  // part of each corner's area that one node stands for
+  float reach_mm = 0;      // a point is near if a vertex lies within it
+
+  explicit SpreadCharges(const ShellMesh& mesh);
+};
+
 struct BoundarySystem {
   std::vector<Eigen::Index> first;  // number of each shell's first vertex, and of all
   Eigen::Matrix3Xd vertices_mm;
@@ -39,6 +52,7 @@ struct BoundarySystem {
   Eigen::Matrix3Xf flux_weights;      // area vector times the step of conductivity
   Eigen::MatrixXf lu;
   dense::Pivots pivots;
+  SpreadCharges spread;  // of the first shell
 
   BoundarySystem(const std::vector<Shell>& shells, TaskMonitor& monitor);
   Eigen::Index size() const { return vertices_mm.cols(); }

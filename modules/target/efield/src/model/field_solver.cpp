@@ -1,6 +1,7 @@
 #include "facenav/efield/field_solver.h"
 
-#include "facenav/core/parallel_for.h"
+#include <algorithm>
+
 #include "facenav/surface/closest_point.h"
 #include "model/boundary_system.h"
 #include "model/shell_surface.h"
@@ -13,6 +14,16 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 constexpr double kLeastDepthEdges = 0.4;  // of a point below the innermost surface, in edges of its triangles
+
+/// Field of the coil alone, in field units.
+Vector3d ownField(const DipoleArray& dipoles, const Vector3d& place) {
+  Vector3d sum = Vector3d::Zero();
+  for (Index d = 0; d < dipoles.size(); ++d) {
+    const Vector3d from = place - dipoles.positions_mm.col(d).cast<double>();
+    sum += dipoles.moments.col(d).cast<double>().cross(from) / (from.squaredNorm() * from.norm());
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -30,23 +41,21 @@ Eigen::Matrix3Xd FieldSolver::fieldAt(const CoilDipoles& coil,
   Eigen::MatrixXf weights = fluxOf(*system_, dipoles);
   system_->removeMeans(weights);
   dense::solveTransposed(dense::viewOf(system_->lu), system_->pivots, dense::viewOf(weights));
-  const Eigen::VectorXd weight = weights.col(0).cast<double>() / (4 * M_PI);
+  const Eigen::VectorXf weight = weights.col(0) / float(4 * M_PI);
+  constexpr Index kAtOnce = 256;
   Eigen::Matrix3Xd field(3, points_mm.cols());
-  parallelRanges(0, int(points_mm.cols()), [&](int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      Vector3d sum = Vector3d::Zero();
-      for (Index d = 0; d < dipoles.size(); ++d) {
-        const Vector3d from = points_mm.col(p) - dipoles.positions_mm.col(d).cast<double>();
-        const Vector3d moment = dipoles.moments.col(d).cast<double>();
-        sum += moment.cross(from) / (from.squaredNorm() * from.norm());
-      }
-      for (Index i = 0; i < weight.size(); ++i) {
-        const Vector3d to = system_->vertices_mm.col(i) - points_mm.col(p);
-        sum += weight[i] / (to.squaredNorm() * to.norm()) * to;
-      }
-      field.col(p) = kFieldOfUnits * sum;
+  for (Index first = 0; first < points_mm.cols(); first += kAtOnce) {
+    const Index count = std::min(kAtOnce, points_mm.cols() - first);
+    const PointArrays block(points_mm.middleCols(first, count));
+    const Eigen::MatrixXf pulls = pullsAt(*system_, block);
+    const Index padded = block.x.size();
+    for (Index p = 0; p < count; ++p) {
+      Vector3d sum = ownField(dipoles, points_mm.col(first + p));
+      for (int axis = 0; axis < 3; ++axis)
+        sum[axis] += double(pulls.col(axis * padded + p).head(weight.size()).dot(weight));
+      field.col(first + p) = kFieldOfUnits * sum;
     }
-  });
+  }
   return field;
 }
 

@@ -1,5 +1,7 @@
 #include "modes/coil_rows.h"
 
+#include <algorithm>
+
 #include "facenav/core/parallel_for.h"
 
 namespace facenav::efield {
@@ -19,6 +21,35 @@ void writeFlux(const BoundarySystem& system, const float* positions, const float
   for (int axis = 0; axis < 3; ++axis)
     out.array() +=
         field.col(axis).head(system.size()).array() * system.flux_weights.row(axis).transpose().array();
+}
+
+bool isNear(const BoundarySystem& system, const Eigen::Vector3f& place) {
+  const Index count = system.first[1];
+  const auto squares = (system.vertices.x.head(count).array() - place.x()).square() +
+                       (system.vertices.y.head(count).array() - place.y()).square() +
+                       (system.vertices.z.head(count).array() - place.z()).square();
+  return squares.minCoeff() < system.spread.reach_mm * system.spread.reach_mm;
+}
+
+/// Replaces the pull of the first shell's vertices by that of their charges spread over the triangles.
+void spreadPull(const BoundarySystem& system, const Eigen::Vector3f& place, float* const pulls[3]) {
+  const SpreadCharges& spread = system.spread;
+  const Index count = spread.corners.cols(), padded = spread.nodes[0].x.size();
+  Eigen::MatrixXf node(padded, 3), sums[3];
+  for (auto& sum : sums) sum = Eigen::MatrixXf::Zero(padded, 3);
+  for (int n = 0; n < SpreadCharges::kNodes; ++n) {
+    kernels::kernel().pull({spread.nodes[std::size_t(n)].points(),
+                            {place.x(), place.y(), place.z()},
+                            node.col(0).data(),
+                            node.col(1).data(),
+                            node.col(2).data()});
+    for (int v = 0; v < 3; ++v) sums[v] += spread.shares[n][v] * node;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    std::fill(pulls[axis], pulls[axis] + system.first[1], 0.f);
+    for (Index t = 0; t < count; ++t)
+      for (int v = 0; v < 3; ++v) pulls[axis][spread.corners(v, t)] += sums[v](t, axis) * spread.areas(v, t);
+  }
 }
 
 }  // namespace
@@ -68,12 +99,14 @@ Eigen::MatrixXf pullsAt(const BoundarySystem& system, const PointArrays& points)
   const Index count = points.x.size(), size = system.vertices.x.size();
   Eigen::MatrixXf pulls(size, 3 * count);
   parallelRanges(0, int(count), [&](int begin, int end) {
-    for (int p = begin; p < end; ++p)
-      kernels::kernel().pull({system.vertices.points(),
-                              {points.x[p], points.y[p], points.z[p]},
-                              pulls.col(p).data(),
-                              pulls.col(count + p).data(),
-                              pulls.col(2 * count + p).data()});
+    for (int p = begin; p < end; ++p) {
+      float* const columns[3] = {pulls.col(p).data(), pulls.col(count + p).data(),
+                                 pulls.col(2 * count + p).data()};
+      const Eigen::Vector3f place(points.x[p], points.y[p], points.z[p]);
+      kernels::kernel().pull(
+          {system.vertices.points(), {place.x(), place.y(), place.z()}, columns[0], columns[1], columns[2]});
+      if (isNear(system, place)) spreadPull(system, place, columns);
+    }
   });
   return pulls;
 }
