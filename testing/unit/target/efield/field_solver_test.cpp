@@ -32,7 +32,7 @@ TEST(ClosedForm, GivesTheGoldenNumbers) {
 
 TEST(FieldSolver, AgreesWithTheClosedFormByDepth) {
   Draw draw(3);
-  const std::pair<double, double> kDepthAndMost[] = {{6, 0.013}, {10, 0.006}, {20, 0.005}};
+  const std::pair<double, double> kDepthAndMost[] = {{3, 0.010}, {6, 0.006}, {10, 0.006}, {20, 0.005}};
   for (int i = 0; i < 2; ++i) {
     const Pose pose = draw.pose(i);
     for (const auto& [depth_mm, most] : kDepthAndMost) {

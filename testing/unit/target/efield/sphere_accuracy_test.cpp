@@ -14,7 +14,7 @@ TEST(SphereAccuracy, OfTheFineMeshMeetsItsGoals) {
   Draw draw(12);
   // Without modes.
   const std::pair<double, double> kDepthAndMost[] = {
-      {2, 0.010}, {3, 0.004}, {4, 0.002}, {6, 0.002}, {10, 0.002}};
+      {2, 0.002}, {3, 0.002}, {4, 0.002}, {6, 0.002}, {10, 0.002}};
   std::vector<Pose> poses;
   for (int i = 0; i < 4; ++i) poses.push_back(draw.pose(i));
   for (const auto& [depth_mm, most] : kDepthAndMost) {
