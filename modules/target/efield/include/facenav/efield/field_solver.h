@@ -1,6 +1,6 @@
 #pragma once
 // FieldSolver: the electric field that a coil induces in a head, by the boundary element method. The
-// equations of a head are factorised once; fieldAt() is exact and slow (some 0.1 s), CortexField
+// equations of a head are factorised once; fieldAt() is direct and slow (0.4 s for 5,000 points), CortexField
 // (cortex_field.h) is fast. The method is in model/boundary_system.h. Fields are in V/m for a rate of the
 // current of 1 A/us, Mri.
 
