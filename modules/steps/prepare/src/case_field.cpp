@@ -1,0 +1,82 @@
+#include "facenav/prepare/case_field.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "facenav/casefile/sha256.h"
+#include "facenav/core/error.h"
+#include "facenav/efield/head_model.h"
+
+namespace facenav::steps {
+namespace {
+
+constexpr std::size_t kPoints = 20500;  // at most; a pose costs time in proportion
+constexpr double kFinestCube_mm = 1.5, kCubeStep = 1.08;
+constexpr const char* kSettings = "three shells 1";  // change it with the model's settings or mesh
+
+/// What the model is made from: settings and the hashes of the case's files.
+std::string modelOf(const casefile::CaseStore& store) {
+  std::string model = kSettings;
+  for (const char* name : {"brain_mask.nii.gz", "head_mask.nii.gz", "scalp.vtp", "cortex.vtp"})
+    model += " " + casefile::sha256OfFile(store.folder() / name);
+  return model;
+}
+
+bool hasItsFiles(const casefile::CaseStore& store) {
+  if (!store.hasMri()) return false;
+  for (const char* name : {"brain_mask.nii.gz", "head_mask.nii.gz", "scalp.vtp", "cortex.vtp"})
+    if (!std::filesystem::exists(store.folder() / name)) return false;
+  return true;
+}
+
+std::vector<std::size_t> onePerCube(const surface::DetailedCortex& cortex, double cube_mm) {
+  std::set<std::tuple<int, int, int>> taken;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < cortex.mesh.vertices_mm.size(); ++i) {
+    const Eigen::Vector3d cube = (cortex.mesh.vertices_mm[i] / cube_mm).array().floor();
+    if (taken.emplace(int(cube.x()), int(cube.y()), int(cube.z())).second) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::filesystem::path fieldFile(const casefile::CaseStore& store) {
+  return store.folder() / "electric_field.bin";
+}
+
+std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex) {
+  for (double cube_mm = kFinestCube_mm;; cube_mm *= kCubeStep) {
+    std::vector<std::size_t> chosen = onePerCube(cortex, cube_mm);
+    if (chosen.size() <= kPoints) return chosen;
+  }
+}
+
+efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& monitor) {
+  if (!store.hasMri()) throw Error("the case has no MRI", {}, "prepare a case from an MRI");
+  const auto brain = store.brainMask();
+  const auto cortex = store.cortex();
+  if (!brain || !cortex)
+    throw Error("the case has no brain", {}, "the electric field needs one; correct the brain mask");
+  const std::string model = modelOf(store);
+  monitor.report("electric field: surfaces", 0.0);
+  efield::HeadModel head = efield::buildHeadModel(*brain, store.headMask(), store.scalp().mesh);
+  const std::vector<std::size_t> vertices = fieldVertices(*cortex);
+  Eigen::Matrix3Xd points_mm(3, Eigen::Index(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    points_mm.col(Eigen::Index(i)) = cortex->mesh.vertices_mm[vertices[i]];
+  const efield::FieldSolver solver(std::move(head), {}, monitor);
+  efield::CortexField field = efield::makeCortexField(solver, points_mm, monitor);
+  efield::writeCortexField(field, model, fieldFile(store));
+  return field;
+}
+
+std::optional<efield::CortexField> keptField(const casefile::CaseStore& store) {
+  if (!std::filesystem::exists(fieldFile(store)) || !hasItsFiles(store)) return std::nullopt;
+  const std::string model = modelOf(store);
+  if (efield::modelOfFile(fieldFile(store)) != model) return std::nullopt;
+  return efield::readCortexField(fieldFile(store), model);
+}
+
+}  // namespace facenav::steps

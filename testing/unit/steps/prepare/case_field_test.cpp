@@ -1,0 +1,82 @@
+// The electric field's model kept with a case.
+
+#include "facenav/prepare/case_field.h"
+
+#include <gtest/gtest.h>
+
+#include "facenav/core/whole_file.h"
+#include "facenav/surface/cortex_surface.h"
+#include "facenav/volume/nifti.h"
+#include "support/ball_case.h"
+#include "support/refusal.h"
+#include "support/test_data.h"
+
+namespace facenav::steps {
+namespace {
+
+using facenav::testing::refusalOf;
+using facenav::testing::TemporaryFolder;
+
+/// A ball of 90 mm with a brain of 70 mm about its middle.
+casefile::PreparedCase preparedBall() {
+  auto prepared = facenav::testing::ballCase();
+  volume::Mask brain = prepared.head_mask;
+  for (int k = 0; k < 50; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 50; ++i)
+        brain.voxels[brain.grid.index(i, j, k)] = brain.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm() < 70;
+  TaskMonitor monitor;
+  prepared.brain = surface::buildBrainModel(prepared.mri, brain, {}, monitor);
+  prepared.cortex.emplace();
+  prepared.cortex->mesh = surface::extractCortex(brain, {4.0, 0}, monitor);
+  prepared.cortex->distance_mm.assign(prepared.cortex->mesh.vertices_mm.size(), 0.f);
+  prepared.brain_mask = std::move(brain);
+  return prepared;
+}
+
+TEST(CaseField, IsKeptUntilTheBrainChanges) {
+  const TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", preparedBall(), {}, false);
+  EXPECT_FALSE(keptField(store));
+  TaskMonitor monitor;
+  const efield::CortexField built = buildField(store, monitor);
+  EXPECT_EQ(std::size_t(built.points_mm.cols()), fieldVertices(*store.cortex()).size());
+  EXPECT_LT(std::filesystem::file_size(fieldFile(store)), 60e6);
+  const auto kept = keptField(store);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->points_mm, built.points_mm);
+
+  // The field in a ball has no part towards the middle.
+  const efield::CoilDipoles coil{Eigen::Vector3d(0, 0, -8), Eigen::Vector3d(0, 0, 0.03), 0, "one dipole"};
+  Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+  pose(1, 1) = pose(2, 2) = -1;
+  pose(2, 3) = 90;
+  const auto field = fieldAt(*kept, coil, RigidTransform<Mri, frames::Coil>::fromMatrix(pose));
+  const auto radial =
+      (field.array() * kept->points_mm.array()).colwise().sum() / kept->points_mm.colwise().norm().array();
+  EXPECT_LT(radial.abs().maxCoeff(), 0.06 * field.colwise().norm().maxCoeff());
+
+  volume::Mask changed = *store.brainMask();
+  changed.voxels[changed.grid.index(25, 25, 25)] = 0;
+  volume::writeMask(changed, store.folder() / "brain_mask.nii.gz");
+  EXPECT_FALSE(keptField(store)) << "another brain mask";
+}
+
+TEST(CaseField, ADamagedFileIsSaid) {
+  const TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", preparedBall(), {}, false);
+  writeWholeFile(fieldFile(store), "nothing of a field");
+  EXPECT_NE(refusalOf([&] { keptField(store); }).find("damaged"), std::string::npos);
+}
+
+TEST(CaseField, ACaseWithoutABrainIsRefused) {
+  const TemporaryFolder folder;
+  const auto store =
+      casefile::CaseStore::create(folder.path() / "case", facenav::testing::ballCase(), {}, false);
+  TaskMonitor monitor;
+  EXPECT_NE(refusalOf([&] { buildField(store, monitor); }).find("no brain"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(fieldFile(store)));
+}
+
+}  // namespace
+}  // namespace facenav::steps

@@ -1,0 +1,89 @@
+// The three surfaces from masks: balls with known radii, and heads that cannot give them.
+
+#include "facenav/efield/head_model.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "efield_scene.h"
+#include "model/radial_shell.h"
+#include "support/ball_mesh.h"
+#include "support/refusal.h"
+
+namespace facenav::efield::testing {
+namespace {
+
+using facenav::testing::ballMesh;
+using facenav::testing::refusalOf;
+using Inside = std::function<bool(const Vector3d&)>;
+
+volume::Mask maskOf(const Inside& inside, int size = 72, double lowest_mm = -106.5) {
+  volume::Mask mask;
+  mask.grid.size = {size, size, size};
+  mask.grid.mri_from_voxel.linear() *= 3.0;
+  mask.grid.mri_from_voxel.translation().setConstant(lowest_mm);
+  for (int k = 0; k < size; ++k)
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i < size; ++i) mask.voxels.push_back(inside(mask.grid.toMri(Vector3d(i, j, k)).mm));
+  return mask;
+}
+Inside inBall(double radius_mm, const Vector3d& middle = Vector3d::Zero()) {
+  return [=](const Vector3d& p) { return (p - middle).norm() < radius_mm; };
+}
+double meanRadius(const ShellMesh& mesh) { return mesh.vertices_mm.colwise().norm().mean(); }
+
+TEST(HeadModel, OfBallsHasTheirRadii) {
+  const HeadModel head = buildHeadModel(maskOf(inBall(72)), maskOf(inBall(92)), ballMesh(92, 90, 120), 3);
+  EXPECT_NEAR(meanRadius(head.inner_skull), 72 + 3, 0.6);
+  EXPECT_NEAR(meanRadius(head.outer_skull), 72 + 3 + 6, 0.6);
+  EXPECT_NEAR(meanRadius(head.scalp), 92, 0.3);
+  EXPECT_GT(gaps_mm(head.inner_skull, head.outer_skull).minCoeff(), kLeastGap_mm);
+  EXPECT_GT(gaps_mm(head.outer_skull, head.scalp).minCoeff(), kLeastGap_mm);
+  for (const ShellMesh* mesh : {&head.inner_skull, &head.outer_skull, &head.scalp})
+    requireClosed(*mesh, "ball");
+}
+
+TEST(HeadModel, OfASmallHeadStaysNested) {
+  const HeadModel head = buildHeadModel(maskOf(inBall(55)), maskOf(inBall(64)), {}, 3);
+  EXPECT_NEAR(meanRadius(head.outer_skull) - meanRadius(head.inner_skull), 0.4 * 6, 0.5);
+  EXPECT_GE(gaps_mm(head.inner_skull, head.outer_skull).minCoeff(), kLeastGap_mm);
+  EXPECT_GE(gaps_mm(head.outer_skull, head.scalp).minCoeff(), kLeastGap_mm);
+}
+
+TEST(HeadModel, FillsFissuresAndVentricles) {
+  const Inside brain = inBall(72), ventricle = inBall(15),
+               fissure = [](const Vector3d&p) { return std::abs(p.x()) < 3 && p.z() > 20; };
+  const auto mask = maskOf([=](const Vector3d& p) { return brain(p) && !ventricle(p) && !fissure(p); });
+  const HeadModel head = buildHeadModel(mask, maskOf(inBall(92)), {}, 3);
+  EXPECT_NEAR(head.inner_skull.vertices_mm.colwise().norm().minCoeff(), 75, 3);
+}
+
+TEST(HeadModel, ANeckCutByTheScanIsClosedThere) {
+  const Inside skull = inBall(90),
+               neck = [](const Vector3d&p) { return p.z() < 0 && p.head<2>().norm() < 55; };
+  const HeadModel head = buildHeadModel(
+      maskOf(inBall(70)), maskOf([=](const Vector3d& p) { return skull(p) || neck(p); }), {}, 3);
+  requireClosed(head.scalp, "scalp");
+  EXPECT_GT(head.scalp.vertices_mm.row(2).minCoeff(), -110) << "a voxel below the scan";
+}
+
+TEST(HeadModel, SaysWhatIsMissing) {
+  const volume::Mask head = maskOf(inBall(92));
+  const auto refusal = [&](const Inside& brain, const volume::Mask& skin) {
+    return refusalOf([&] { buildHeadModel(maskOf(brain), skin, {}, 2); });
+  };
+  EXPECT_NE(refusal([](const Vector3d&) { return false; }, head).find("no brain mask"), std::string::npos);
+  EXPECT_NE(refusal([](const Vector3d& p) { return p.norm() < 70 && std::abs(p.z()) > 8; }, head)
+                .find("several parts"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal([](const Vector3d& p) { return p.norm() < 70 && p.norm() > 60; }, head).find("holes or gaps"),
+      std::string::npos);
+  EXPECT_NE(refusal(inBall(91), head).find("reaches the skin"), std::string::npos);
+  EXPECT_NE(refusal(inBall(70, {0, 0, 45}), head).find("cuts the brain"), std::string::npos);
+  EXPECT_NE(refusal(inBall(70), maskOf(inBall(150))).find("cuts the head"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace facenav::efield::testing
