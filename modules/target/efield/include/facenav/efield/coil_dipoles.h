@@ -1,6 +1,7 @@
 #pragma once
 // CoilDipoles: a coil as magnetic dipoles, the form in which every field of this module takes it. Made by the
-// built-in coils (built_in_coils.h), the readers of coil files (coil_file.h) and thinnedCoil (thinned_coil.h).
+// built-in coils (built_in_coils.h), the readers of coil files (coil_file.h) and thinnedCoil
+// (thinned_coil.h).
 
 #include <Eigen/Core>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// Electric field of a coil in closed form: of the coil alone, and in a sphere. Fields are in V/m for a rate of
-// the current of 1 A/us; E = -(dI/dt) (mu0 / 4 pi) ..., so a positive current as in the coil's file drives
+// Electric field of a coil in closed form: of the coil alone, and in a sphere. Fields are in V/m for a rate
+// of the current of 1 A/us; E = -(dI/dt) (mu0 / 4 pi) ..., so a positive current as in the coil's file drives
 // them. Points and fields are in Mri. Source of the sphere: Heller and van Hulsteyn, Biophys J 63 (1992) 129,
 // which follows from Sarvas, Phys Med Biol 32 (1987) 11, by reciprocity.
 
