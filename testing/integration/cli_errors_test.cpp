@@ -62,6 +62,7 @@ TEST_F(CommandLine, HelpHoldsEveryVerb) {
                            "locate",
                            "target",
                            "plan",
+                           "field",
                            "threshold",
                            "hotspot",
                            "note",
