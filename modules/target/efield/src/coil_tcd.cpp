@@ -7,6 +7,7 @@
 #include "coil_readers.h"
 #include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
+#include "facenav/geometry/rotation.h"
 #include "packed_numbers.h"
 
 namespace facenav::efield {
@@ -61,7 +62,7 @@ Eigen::Affine3d movedBy(const JsonReader& part, const JsonReader& root) {
   if (type != "rot2p") part.refuse("a move of type x, y, z or rot2p was expected");
   const Eigen::Vector3d from = pointIn(part.at("point1")), axis = pointIn(part.at("point2")) - from;
   if (!(axis.norm() > 0)) part.refuse("turns about an axis without length");
-  return Eigen::Translation3d(from) * Eigen::AngleAxisd(initial * M_PI / 180, axis.normalized()) *
+  return Eigen::Translation3d(from) * Eigen::AngleAxisd(initial * kRadPerDeg, axis.normalized()) *
          Eigen::Translation3d(-from);
 }
 
