@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kOnCrown_deg =
     30;  // a normal nearer to the direction out of the head has little field along it
 constexpr std::size_t kMostLabels = 4;
+constexpr double kLeastLabel_ml = 0.05;  // printed as 0.1
 
 /// "1.234 V/m at 1 A/us", and at the rate if it is known.
 std::string strength(const FieldReport& report, double at_unit_rate) {
@@ -28,6 +29,8 @@ std::string strength(const FieldReport& report, double at_unit_rate) {
 /// Labels of a region, largest first.
 std::vector<std::pair<std::string, double>> largestLabels(const steps::FieldRegion& region) {
   std::vector<std::pair<std::string, double>> labels(region.by_label.begin(), region.by_label.end());
+  const auto is_tiny = [](const auto& label) { return label.second < kLeastLabel_ml; };
+  labels.erase(std::remove_if(labels.begin(), labels.end(), is_tiny), labels.end());
   std::sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   if (labels.size() > kMostLabels) labels.resize(kMostLabels);
   return labels;
@@ -77,9 +80,12 @@ void printRegions(const FieldReport& report) {
 
 void printExtras(const FieldReport& report) {
   if (const auto& best = report.best) {
+    // The coil's x points to the left of a person who looks along its axis into the head.
     std::printf(
-        "best pose    turned by %.0f deg, moved by %.1f mm to the coil's right and %.1f mm forwards: %s\n",
-        best->turned_deg, best->x_mm, best->y_mm, strength(report, best->best).c_str());
+        "best pose    turned by %.0f deg clockwise, moved by %.1f mm to the %s (seen from above) and %.1f mm "
+        "%s: %s\n",
+        best->turned_deg, std::abs(best->x_mm), best->x_mm > 0 ? "left" : "right", std::abs(best->y_mm),
+        best->y_mm < 0 ? "backwards" : "forwards", strength(report, best->best).c_str());
     std::printf(
         "             planned %.3f V/m at 1 A/us (%+.0f %%); %d poses in %.1f s; the plan stays as it is\n",
         best->planned, 100 * (best->best / best->planned - 1), best->poses, report.best_s);

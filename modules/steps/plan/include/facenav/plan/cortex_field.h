@@ -63,8 +63,8 @@ struct FieldComparison {
   double scale = 1;           ///< imported field over this one, by least squares
   double relative_error = 0;  ///< |this - imported| / |imported|, of vectors, or of magnitudes if the file
                               ///< has no others
-  double peak_ratio = 1;     ///< this maximum over the imported one, after scaling
-  double peak_shift_mm = 0;  ///< distance between both maxima
+  double peak_ratio = 1;      ///< this maximum over the imported one, after scaling
+  double peak_shift_mm = 0;   ///< distance between both maxima
 };
 /// Compares with a field of a .vtp or .msh file on the same cortex. `rate_A_per_us`: that of the imported
 /// field. Throws Error if its points do not lie on this cortex (half of them within 5 mm).
