@@ -79,6 +79,7 @@ bool isCoilFieldName(const std::filesystem::path& path) {
 CoilSource readPotentialNifti(const std::filesystem::path& path) {
   const auto read = volume::readNiftiVectors(path);
   PotentialGrid grid;
+  grid.file = path.string();
   grid.size = read.grid.size;
   grid.coil_from_voxel = read.grid.mri_from_voxel;
   grid.potential_Tm.resize(3, Eigen::Index(read.vectors.size()));

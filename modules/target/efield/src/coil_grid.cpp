@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/efield/coil_source.h"
 #include "layer_fit.h"
 
@@ -13,21 +14,23 @@ namespace {
 
 constexpr double kNearest_mm = 8, kFarthest_mm = 14;  // below the contact face: nodes that are compared
 constexpr double kLayer_mm = -6.5;                    // the dipoles' plane, z of the frame Coil
+constexpr double kDeeper_mm = 8;                      // there the field is weaker, or the grid is upside down
 constexpr double kPitch_mm = 8;
 constexpr double kMargin_mm = 40;  // nodes this far beside the dipoles are compared, too
 constexpr int kMostDipoles = 900, kMostNodes = 4000;
 constexpr double kRidge = 1e-4;
+constexpr double kLargestResidual = 0.1;  // of the flux; right files leave less than 0.02
 
 /// Nodes with all six neighbours, and the differences that give the curl along z.
 class CurlNodes {
  public:
-  explicit CurlNodes(const PotentialGrid& grid) : grid_(grid) {
+  CurlNodes(const PotentialGrid& grid, double nearest_mm, double farthest_mm) : grid_(grid) {
     voxel_from_coil_ = grid.coil_from_voxel.linear().inverse();
     for (int k = 1; k + 1 < grid.size[2]; ++k)
       for (int j = 1; j + 1 < grid.size[1]; ++j)
         for (int i = 1; i + 1 < grid.size[0]; ++i) {
           const Eigen::Vector3d p_mm = grid.coil_from_voxel * Eigen::Vector3d(i, j, k);
-          if (p_mm.z() >= kNearest_mm && p_mm.z() <= kFarthest_mm) nodes_.push_back({{i, j, k}, p_mm});
+          if (p_mm.z() >= nearest_mm && p_mm.z() <= farthest_mm) nodes_.push_back({{i, j, k}, p_mm});
         }
   }
   struct Node {
@@ -94,17 +97,27 @@ std::vector<CurlNodes::Node> chosen(const std::vector<CurlNodes::Node>& nodes, E
   return some;
 }
 
+/// Throws Error if the flux grows with the distance from the contact face.
+void requireWeakerBelow(const PotentialGrid& grid, double largest) {
+  CurlNodes deeper(grid, kNearest_mm + kDeeper_mm, kFarthest_mm + kDeeper_mm);
+  const auto& nodes = deeper.nodes();
+  if (nodes.empty() || curlsOfGrid(deeper, nodes).cwiseAbs().maxCoeff() < largest) return;
+  throw Error("the coil's field grows with the distance from the contact face", grid.file,
+              "check the file's frame: the coil lies at z < 0, z points into the head");
+}
+
 }  // namespace
 
 CoilDipoles dipolesOf(const PotentialGrid& grid) {
-  CurlNodes differences(grid);
+  CurlNodes differences(grid, kNearest_mm, kFarthest_mm);
   const auto& all = differences.nodes();
   if (all.size() < 100)
-    throw Error("the coil's field is not sampled 8 to 14 mm below the contact face (z = 0)",
-                std::to_string(all.size()) + " nodes there", "use the coil's .ccd or .tcd file");
+    throw Error("the coil's field is not sampled 8 to 14 mm below the contact face (z = 0)", grid.file,
+                "use the coil's .ccd or .tcd file");
   const Eigen::VectorXd curl = curlsOfGrid(differences, all);
   if (!(curl.cwiseAbs().maxCoeff() > 0))
-    throw Error("the coil's field has no magnetic flux below the contact face", {}, "check the file");
+    throw Error("the coil's field has no magnetic flux below the contact face", grid.file, "check the file");
+  requireWeakerBelow(grid, curl.cwiseAbs().maxCoeff());
   const auto box = boxOfCoil(all, curl);
   const auto nodes = chosen(all, box);
   const Eigen::Vector2d size_mm = box.sizes();
@@ -115,7 +128,15 @@ CoilDipoles dipolesOf(const PotentialGrid& grid) {
   for (Eigen::Index c = 0; c < matrix.cols(); ++c)
     for (Eigen::Index n = 0; n < matrix.rows(); ++n)
       matrix(n, c) = differences.curlOfDipole(nodes[std::size_t(n)], coil.positions_mm.col(c));
-  const Eigen::VectorXd moments = leastSquares(std::move(matrix), curlsOfGrid(differences, nodes), kRidge);
+  const Eigen::VectorXd wanted = curlsOfGrid(differences, nodes);
+  const Eigen::VectorXd moments = leastSquares(matrix, wanted, kRidge);
+  const double residual = (matrix * moments - wanted).norm() / wanted.norm();
+  if (!(residual <= kLargestResidual))
+    throw Error(
+        formatted(
+            "the coil's field below the contact face is not that of a coil behind it (%.0f %% are left)",
+            100 * residual),
+        grid.file, "use the coil's .ccd or .tcd file, and check that z points into the head");
   coil.moments_Am2.setZero(3, moments.size());
   coil.moments_Am2.row(2) = moments.transpose();
   return coil;

@@ -143,6 +143,7 @@ CoilSource readTcd(const std::filesystem::path& path) {
   if (root.has("name") && root.at("name").isText()) source.dipoles.name = root.at("name").text();
   source.dipoles.largest_didt_A_per_us = largestRate(root);
   for (const auto& element : root.at("coilElementList").elements()) addElement(source, element, root);
+  for (auto& grid : source.grids) grid.file = path.string();
   if (root.has("stimulatorList") && root.at("stimulatorList").elements().size() > 1)
     source.notes.push_back("the coil has several stimulators: all parts are taken with the same current");
   if (root.has("deformList") && !root.at("deformList").elements().empty())

@@ -324,7 +324,14 @@ TEST_F(CoilFileTest, BadNiftiIsRefusedInOneLine) {
   auto behind = sampled(figureEight70(), 5);
   behind.coil_from_voxel.translation().z() = -300;
   const auto path = write("c.nii", niftiOf(behind));
-  EXPECT_THAT(refusalOf([&] { fieldCoil(path.string()); }), HasSubstr("below the contact face"));
+  EXPECT_THAT(refusalOf([&] { fieldCoil(path.string()); }),
+              AllOf(HasSubstr("c.nii"), HasSubstr("below the contact face")));
+  auto turned = sampled(figureEight70(), 5);  // the coil lies below: z points out of the head
+  turned.coil_from_voxel.linear().col(2) *= -1;
+  turned.coil_from_voxel.translation().z() = 30;
+  const auto upside_down = write("d.nii", niftiOf(turned));
+  EXPECT_THAT(refusalOf([&] { fieldCoil(upside_down.string()); }),
+              AllOf(HasSubstr("d.nii"), HasSubstr("z points into the head")));
 }
 
 TEST_F(CoilFileTest, BuiltInCoilsHaveNames) {

@@ -22,6 +22,7 @@ struct PotentialGrid {
   std::array<int, 3> size{0, 0, 0};
   Eigen::Affine3d coil_from_voxel = Eigen::Affine3d::Identity();  ///< mm
   Eigen::Matrix3Xd potential_Tm;                                  ///< T m per ampere, axes of Coil
+  std::string file = {};                                          ///< where it was read, for messages
   Eigen::Index index(int i, int j, int k) const {
     return i + Eigen::Index(size[0]) * (j + Eigen::Index(size[1]) * k);
   }
