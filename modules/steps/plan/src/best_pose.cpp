@@ -80,11 +80,19 @@ BestPose bestPose(const HeadField& head, const FieldSurfaces& surfaces, const Pl
     best = one;
     best.poses = poses;
   }
-  best.planned = aimed.at(target);
-  best.target = guidance::settleOnHead(turned(best.target, best.turned_deg * kRadPerDeg), *planned.scalp,
-                                       planned.plate);
+  const double planned_value = aimed.at(target);
+  if (best.turned_deg != 0 || best.x_mm != 0 || best.y_mm != 0)
+    best.target = guidance::settleOnHead(turned(best.target, best.turned_deg * kRadPerDeg), *planned.scalp,
+                                         planned.plate);
   best.target.cortex_point = target.cortex_point;
   best.best = aimed.at(best.target);
+  if (!(best.best > planned_value)) {  // the planned pose need not rest on the head, and may be stronger
+    const int poses = best.poses;
+    best = BestPose{target};
+    best.best = planned_value;
+    best.poses = poses;
+  }
+  best.planned = planned_value;
   return best;
 }
 

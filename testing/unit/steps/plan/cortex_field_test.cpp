@@ -135,6 +135,16 @@ TEST_F(CortexFieldTest, TheBestPoseOverATargetIsAboveIt) {
   EXPECT_NEAR(back.best, here.best, 0.02 * here.best);
 }
 
+TEST_F(CortexFieldTest, TheBestPoseIsNeverWorseThanThePlannedOne) {
+  // Pressed 3 mm into the skin, as an edited pose may be: every pose that rests on the head is weaker.
+  auto pressed = target_;
+  pressed.mri_T_target = RigidTransform<Mri, frames::Target>(
+      target_.mri_T_target.quaternion(),
+      target_.mri_T_target.translation_mm() + 3 * target_.mri_T_target.rotation().col(2));
+  const auto best = bestPose(*head_, surfaces_, planned_, coil_, pressed, FieldAim::strength);
+  EXPECT_GE(best.best, best.planned);
+}
+
 TEST_F(CortexFieldTest, TheBestAngleTurnsTheFieldAlongTheNormal) {
   // A bank of a sulcus at the target that faces at 60 degrees to the coil's y.
   auto bank = surfaces_;
