@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
       {{"Prepare",
         {app::addPacs, app::addSeries, app::addPrepare, app::addCheck, app::addBrain, app::addWorklist,
          app::addLabel, app::addExport}},
-       {"Plan", {app::addLocate, app::addTarget, app::addPlan}},
+       {"Plan", {app::addLocate, app::addTarget, app::addPlan, app::addField}},
        {"Set up",
         {app::addCameras, app::addCalibrate, app::addRig, app::addRecord, app::addProjector, app::addMarker,
          app::addCalibrateCoil, app::addCoil}},

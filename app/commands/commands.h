@@ -34,6 +34,7 @@ void addBrain(CLI::App& app, Context& context);
 void addLocate(CLI::App& app, Context& context);
 void addTarget(CLI::App& app, Context& context);
 void addPlan(CLI::App& app, Context& context);
+void addField(CLI::App& app, Context& context);
 void addExport(CLI::App& app, Context& context);
 void addCoil(CLI::App& app, Context& context);
 void addFaceCase(CLI::App& app, Context& context);

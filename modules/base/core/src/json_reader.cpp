@@ -62,6 +62,10 @@ bool JsonReader::has(const std::string& key) const {
   return json(node_).is_object() && json(node_).contains(key);
 }
 
+bool JsonReader::isText() const { return json(node_).is_string(); }
+
+bool JsonReader::isNull() const { return json(node_).is_null(); }
+
 JsonReader JsonReader::at(const std::string& key) const {
   if (!json(node_).is_object()) refuse("an object was expected");
   const JsonReader child(document_, node_, key_.empty() ? key : key_ + "." + key);

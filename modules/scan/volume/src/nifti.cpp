@@ -59,7 +59,8 @@ bool isNifti2(const std::filesystem::path& path) {
          (!start[0] && !start[1] && start[2] == kHigh && start[3] == kLow);
 }
 
-ImagePtr readImage(const std::filesystem::path& path) {
+/// `components`: values a voxel, 1 or 3.
+ImagePtr readImage(const std::filesystem::path& path, int components) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
   nifti_set_debug_level(0);
   if (is_nifti_file(path.c_str()) < 0) {
@@ -70,10 +71,13 @@ ImagePtr readImage(const std::filesystem::path& path) {
   ImagePtr image(nifti_image_read(path.c_str(), 0));
   if (!image || !image->iname)
     throw Error("NIfTI header is damaged", path.string(), "copy or export it again");
-  if (image->nx < 1 || image->ny < 1 || image->nz < 1 ||
-      image->nvox != std::size_t(image->nx) * image->ny * image->nz)
-    throw Error("holds " + std::to_string(image->ndim) + " dimensions, one 3-D volume was expected",
-                path.string(), "extract the T1 volume first");
+  const bool has_size = image->nx >= 1 && image->ny >= 1 && image->nz >= 1;
+  if (!has_size || image->nvox != std::size_t(image->nx) * image->ny * image->nz * std::size_t(components)) {
+    const std::string held = "holds " + std::to_string(image->ndim) + " dimensions, ";
+    if (components == 1)
+      throw Error(held + "one 3-D volume was expected", path.string(), "extract the T1 volume first");
+    throw Error(held + "3 values a voxel were expected", path.string(), "choose a file of vectors");
+  }
   readVoxels(*image, path);
   return image;
 }
@@ -84,7 +88,7 @@ void convert(const void* data, std::vector<float>& out, double slope, double int
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(slope * double(values[i]) + intercept);
 }
 
-std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
+std::vector<float> asInFile(const nifti_image& image, const std::string& where) {
   std::vector<float> out(image.nvox);
   const double slope = image.scl_slope != 0 && std::isfinite(image.scl_slope) ? image.scl_slope : 1.0;
   const double intercept = image.scl_slope != 0 && std::isfinite(image.scl_inter) ? image.scl_inter : 0.0;
@@ -123,6 +127,11 @@ std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
       throw Error(std::string("voxel type ") + nifti_datatype_string(image.datatype) + " is not a scalar",
                   where, "export the T1 as a grey-value volume");
   }
+  return out;
+}
+
+std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
+  std::vector<float> out = asInFile(image, where);
   for (float& value : out)
     if (!std::isfinite(value)) value = 0.f;
   return out;
@@ -237,7 +246,7 @@ NiftiTransform niftiTransformNamed(const std::string& name) {
 }
 
 NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice) {
-  const ImagePtr image = readImage(path);
+  const ImagePtr image = readImage(path, 1);
   const WorldMap map = chooseMap(*image, choice, path.string());
   NiftiRead result;
   result.volume.grid = map.grid;
@@ -248,6 +257,19 @@ NiftiRead readNifti(const std::filesystem::path& path, NiftiTransform choice) {
   result.statistic = statisticOf(image->intent_code);
   result.warning = map.warning;
   result.volume.voxels = toFloat(*image, path.string());
+  return result;
+}
+
+NiftiVectors readNiftiVectors(const std::filesystem::path& path) {
+  const ImagePtr image = readImage(path, 3);
+  NiftiVectors result;
+  result.grid = chooseMap(*image, NiftiTransform::automatic, path.string()).grid;
+  result.description.assign(image->descrip, strnlen(image->descrip, sizeof image->descrip));
+  const std::vector<float> values = asInFile(*image, path.string());
+  const std::size_t count = result.grid.count();
+  result.vectors.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    result.vectors[i] = {values[i], values[i + count], values[i + 2 * count]};
   return result;
 }
 

@@ -22,6 +22,9 @@ class JsonReader {
   static JsonReader readText(const std::string& text, const std::filesystem::path& where);
 
   bool has(const std::string& key) const;
+  /// True for a text, and for null.
+  bool isText() const;
+  bool isNull() const;
   /// The member `key` of an object. Throws Error if it is missing; for a file the message names the page of
   /// formats.
   JsonReader at(const std::string& key) const;

@@ -42,6 +42,15 @@ Mask readMask(const std::filesystem::path& path);
 /// The voxels above 0.5.
 Mask maskOf(const Volume& volume);
 
+/// A vector a voxel, as files of coils' fields hold them.
+struct NiftiVectors {
+  VoxelGrid grid;
+  std::vector<Eigen::Vector3f> vectors;  // as in the file; may be no number
+  std::string description;               // of the header
+};
+/// Reads a file of 3 values a voxel (in its 4th or 5th dimension). Throws Error as readNifti does.
+NiftiVectors readNiftiVectors(const std::filesystem::path& path);
+
 /// Writes a .nii or .nii.gz completely or not at all: int16 if all values are integers in its range, else
 /// uint16 by the same rule, else float32. Sets both sform and qform (code 1) if the grid is orthogonal.
 void writeNifti(const Volume& volume, const std::filesystem::path& path,

@@ -1,0 +1,35 @@
+#pragma once
+// What `facenav field` prints: the field of a planned pose, in words or as JSON.
+
+#include <optional>
+
+#include "facenav/efield/coil_file.h"
+#include "facenav/plan/best_pose.h"
+
+namespace facenav::app {
+
+/// Output that gives the target the hotspot's field at the motor threshold.
+struct FieldDose {
+  std::string hotspot;
+  double threshold_pct = 0, output_pct = 0;
+};
+
+/// Everything that one call found. Fields are in V/m at 1 A/us.
+struct FieldReport {
+  guidance::Target target;
+  efield::FieldCoil coil;
+  const steps::HeadField* head = nullptr;
+  steps::FieldOnCortex on_cortex;
+  bool has_sulci = false;
+  std::optional<std::array<steps::FieldRegion, 3>> regions = {};
+  std::optional<double> rate_A_per_us = {};  // nothing: not known, fields are shown at 1 A/us alone
+  std::optional<steps::BestPose> best = {};
+  double best_s = 0;  // time that the search took
+  std::optional<steps::FieldComparison> comparison = {};
+  std::optional<FieldDose> dose = {};
+  bool shows_arrows = false;
+};
+
+void printField(const FieldReport& report, bool is_json);
+
+}  // namespace facenav::app

@@ -1,0 +1,56 @@
+#pragma once
+// HeadField: the electric field of a coil in one case's head. Its models are called tiers, from the quickest
+// to the surest; headField is the only place that chooses one. Fields in V/m at a rate of the current of 1
+// A/us, places in Mri.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/efield/coil_dipoles.h"
+
+namespace facenav::steps {
+
+using CoilPose = RigidTransform<Mri, frames::Coil>;
+
+/// The surfaces of a case that its field needs.
+struct FieldSurfaces {
+  surface::TriangleMesh cortex;  ///< with sulci, else the smooth model of the brain
+  bool has_sulci = false;
+  std::vector<Eigen::Vector3d> skull_mm;   ///< points near the inner skull: the brain's hull
+  std::optional<volume::Mask> brain_mask;  ///< nothing if the case has none
+};
+/// Reads them. Throws Error if the case has no brain.
+FieldSurfaces fieldSurfaces(const casefile::CaseStore& store);
+
+enum class FieldTier {
+  local_sphere = 0,  // a sphere fitted to the skull under the coil; at once
+  three_shells = 1,  // scalp, skull and brain of the case
+  four_shells = 2    // with the fluid round the brain
+};
+
+/// Model of a head.
+class HeadField {
+ public:
+  virtual ~HeadField() = default;
+  virtual FieldTier tier() const = 0;
+  /// What the model is, in words: "a sphere fitted to the skull under the coil (radius 74 mm)".
+  virtual std::string inWords() const = 0;
+  /// Relative error of the field that is usual for this model, 0..1.
+  virtual double usualError() const = 0;
+  /// Field of a coil at points (3 x n, mm).
+  virtual Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
+                              const Eigen::Matrix3Xd& points_mm) const = 0;
+};
+
+/// Chooses the surest model that the case has, or the wanted one. `near`: pose near which the field is
+/// wanted, for the local sphere. Throws Error if the case has no such model.
+std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const FieldSurfaces& surfaces,
+                                     const CoilPose& near, std::optional<FieldTier> wanted = {});
+
+/// Pose of the coil on a target as planned, hair and lift included.
+CoilPose coilPoseOf(const guidance::Target& target);
+
+}  // namespace facenav::steps
