@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QThread>
 #include <functional>
 
 #include "shell/case_model.h"
@@ -14,7 +15,10 @@ namespace facenav::ui::fixtures {
 inline bool waitFor(const std::function<bool()>& condition, int limit_ms = 20000) {
   QElapsedTimer timer;
   timer.start();
-  while (!condition() && timer.elapsed() < limit_ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
+  while (!condition() && timer.elapsed() < limit_ms) {
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
+    QThread::msleep(1);  // leaves the core to the work that is waited for
+  }
   return condition();
 }
 

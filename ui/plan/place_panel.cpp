@@ -11,6 +11,11 @@
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
+namespace {
+
+constexpr int kLines = 4;  // RAS, MNI, the region, its Brodmann area
+
+}  // namespace
 
 PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
     : QFrame(parent), presenter_(presenter), words_(new QLabel(this)), fault_(new QLabel(this)) {
@@ -22,6 +27,8 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
   makeNarrow(*words_);
+  words_->ensurePolished();
+  words_->setMinimumHeight(kLines * words_->fontMetrics().lineSpacing());  // the fields stay in place
   frame_ = new QComboBox(this);
   frame_->addItems({tr("MNI"), tr("RAS")});
   frame_->setToolTip(tr("what the typed numbers are"));

@@ -134,7 +134,7 @@ QWidget* PlanWorkspace::makeFields(QWidget* parent) {
 void PlanWorkspace::showFault(const QString& words) {
   fault_->setText(words);
   fault_->setVisible(!words.isEmpty());
-  hint_->setVisible(words.isEmpty() && presenter_.plan().targets.size() < 2);
+  hint_->setVisible(words.isEmpty());  // one of both: the tools below stay where they are
 }
 
 void PlanWorkspace::showFields() {
@@ -159,9 +159,9 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   detail_->setToolTip(tr(
       "mm; the cortex's depth is measured from the scalp along the coil's axis; gap: between coil and skin, "
       "for hair"));
-  hint_ = new QLabel(tr("Click on the cortex, or double click on a slice, to set a target. Arrow keys in a "
-                        "view move it."),
-                     panel);
+  hint_ = new QLabel(
+      tr("Click on the cortex, or double click on a slice, to set a target. Arrow keys in a view move it."),
+      panel);
   hint_->setObjectName("muted");
   fault_ = new QLabel(panel);
   fault_->setObjectName("fault");
@@ -169,6 +169,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   column->addWidget(heading);
   for (auto* label : {hint_, fault_}) {
     makeNarrow(*label);
+    label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
     column->addWidget(label);
   }
   auto* body = new QWidget(panel);

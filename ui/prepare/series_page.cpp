@@ -42,7 +42,7 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   archive->setToolTip(tr("find and fetch a series of the hospital's PACS (Ctrl+Shift+A)"));
   archive->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_A);
   input_ = new ElidedLabel(this);
-  input_->set(tr("or drop a folder or a file anywhere in the window"));
+  input_->set(tr("or drop it anywhere in the window"));
   input_->setObjectName("muted");
   head->addWidget(folder);
   head->addWidget(file);

@@ -127,6 +127,8 @@ void SignOffPage::showState() {
   volumes_->setText(words.join('\n'));
   showTicks();
   items_->setEnabled(!presenter_.holds());
+  // A disabled button would hand the focus to Reject, which the next Space would press.
+  if (!presenter_.canSign()) sign_->clearFocus();
   sign_->setEnabled(presenter_.canSign());
   reject_->setEnabled(presenter_.canReject());
   note_->setPlaceholderText(presenter_.isNotUsable() ? tr("reason (the scan is not usable)")

@@ -17,6 +17,7 @@
 #include "prepare/worklist_delegate.h"
 #include "shell/appearance.h"
 #include "shell/elided_label.h"
+#include "shell/users_words.h"
 
 namespace facenav::ui {
 
@@ -58,6 +59,7 @@ QWidget* WorklistPage::makeHead() {
   search_->setClearButtonEnabled(true);
   search_->installEventFilter(this);
   folder_ = new ElidedLabel(head);
+  markUsersWords(*folder_);
   folder_->setObjectName("muted");
   auto* change = new QPushButton(tr("Cases folder\u2026"), head);
   change->setToolTip(tr("where cases are kept and made (remembered)"));

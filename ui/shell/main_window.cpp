@@ -292,14 +292,15 @@ void MainWindow::remember() {
 
 void MainWindow::showCaseWords() {
   if (!model_.isOpen()) {
-    header_->setCaseWords(tr("no case open"));
+    header_->setCaseWords({tr("no case open")});
     return;
   }
   const auto& c = model_.current();
-  QString words = (c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id)) +
-                  "  \u00b7  " + signOffWords(c.sign_off);
-  if (model_.override() && !c.sign_off.holds()) words += tr(" (override by %1)").arg(model_.override()->by);
-  header_->setCaseWords(words + "  \u00b7  " + treat_.alignmentWords());
+  QString signed_off = signOffWords(c.sign_off);
+  if (model_.override() && !c.sign_off.holds())
+    signed_off += tr(" (override by %1)").arg(model_.override()->by);
+  header_->setCaseWords({c.label.isEmpty() ? tr("case %1").arg(c.id) : tr("%1 (case %2)").arg(c.label, c.id),
+                         signed_off, treat_.alignmentWords()});
 }
 
 void MainWindow::showLive(const ReadOut& read_out) {

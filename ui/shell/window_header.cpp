@@ -6,6 +6,7 @@
 #include "shell/appearance.h"
 #include "shell/elided_label.h"
 #include "shell/status_chip.h"
+#include "shell/users_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -27,6 +28,7 @@ WindowHeader::WindowHeader(QWidget* parent)
   row->setContentsMargins(16, 8, 16, 8);
   name_->setObjectName("name");
   case_words_->setObjectName("muted");
+  markUsersWords(*case_words_);  // the label of the case
   timing_->setObjectName("muted");
   timing_->setMinimumWidth(sized(170));
   timing_->setToolTip(
@@ -40,7 +42,7 @@ WindowHeader::WindowHeader(QWidget* parent)
   row->addWidget(timing_);
 }
 
-void WindowHeader::setCaseWords(const QString& words) { case_words_->set(words); }
+void WindowHeader::setCaseWords(const QStringList& parts) { case_words_->setParts(parts); }
 
 void WindowHeader::setLive(const ReadOut& read_out) {
   cameras_->set(read_out.cameras);

@@ -19,7 +19,8 @@ class WindowHeader : public QFrame {
 
  public:
   explicit WindowHeader(QWidget* parent = nullptr);
-  void setCaseWords(const QString& words);
+  /// The case first, then what is known of it; where it is narrow, the second part goes first.
+  void setCaseWords(const QStringList& parts);
   void setLive(const ReadOut& read_out);
   /// The live states are shown in Treat only.
   void showLiveStates(bool are_shown);

@@ -100,9 +100,9 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   grid->addWidget(again, 1, 2);
   addNamedRig(*grid);
   grid->addWidget(choose_rig, 2, 2);
-  grid->addWidget(rig_, 3, 0, 1, 3);
   grid->setColumnStretch(1, 1);
   column.addLayout(grid);
+  column.addWidget(rig_);  // not in the grid, which would cut a wrapped text over several columns
   column.addWidget(open_);
   addSetUp(column);
   connect(again, &QPushButton::clicked, &cameras_, &CamerasPresenter::lookEverywhere);

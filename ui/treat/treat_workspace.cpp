@@ -12,6 +12,7 @@
 #include "shell/elided_label.h"
 #include "shell/scene_view.h"
 #include "shell/scroll_column.h"
+#include "shell/users_words.h"
 #include "shell/words_of_button.h"
 #include "treat/camera_row.h"
 #include "treat/cameras_panel.h"
@@ -149,12 +150,14 @@ void TreatWorkspace::makeChoices(QWidget* bar) {
   target_ = new QComboBox(bar);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(12);
-  target_->setToolTip(tr("the target to guide to"));
   coil_ = new QComboBox(bar);
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
-  for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
+  for (auto* choice : {coil_, target_}) {
+    choice->setMinimumWidth(sized(90));  // where text is large
+    markUsersWords(*choice);
+  }
 }
 
 void TreatWorkspace::connectSteps() {
@@ -225,12 +228,13 @@ void TreatWorkspace::showSteps() {
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
   showCoils();
-  words_->set(model_.isOpen() ? presenter_.recordingWords() + "   " + presenter_.alignmentWords()
-                              : tr("open a case first (Ctrl+O)"));
+  words_->setParts(model_.isOpen() ? QStringList{presenter_.recordingWords(), presenter_.alignmentWords()}
+                                   : QStringList{tr("open a case first (Ctrl+O)")});
   target_->clear();
   if (model_.isOpen())
     for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
   target_->setCurrentText(presenter_.targetName());
+  target_->setToolTip(tr("the target to guide to: %1").arg(target_->currentText()));
   if (!is_outdated_ && model_.isOpen()) {
     scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());
     scene_->scene().setView(scene::ViewPreset::target);
@@ -245,7 +249,8 @@ void TreatWorkspace::showCoils() {
   coil_->addItems(presenter_.coils());
   coil_->setCurrentText(presenter_.coilName());
   const bool is_old = !reminder.isEmpty() && presenter_.hasRecording();
-  coil_->setToolTip(tr("the coil that is held") + (is_old ? "\n" + reminder : QString()));
+  coil_->setToolTip(tr("the coil that is held: %1").arg(coil_->currentText()) +
+                    (is_old ? "\n" + reminder : QString()));
   if (is_old) coil_->setItemIcon(coil_->currentIndex(), style()->standardIcon(QStyle::SP_MessageBoxWarning));
 }
 

@@ -1,0 +1,78 @@
+#include "support/kept_pictures.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QWidget>
+#include <algorithm>
+#include <cstdlib>
+
+namespace facenav::testing {
+namespace {
+
+constexpr int kWidth_px = 342, kHeight_px = 192, kBlock_px = 8;
+constexpr double kLeastNoise = 0.5;  // grey levels: the rounding of a block
+constexpr double kTolerance = 6;     // times the noise
+const char* const kNoise = "noise";  // text in the PNG
+
+}  // namespace
+
+QImage smallPicture(QWidget& window, const QStringList& hidden) {
+  QImage picture = window.grab().toImage();
+  QPainter painter(&picture);
+  for (const auto* part : window.findChildren<QWidget*>())
+    if (part->isVisible() && (hidden.contains(part->objectName()) || hidden.contains(part->accessibleName())))
+      painter.fillRect(QRect(part->mapTo(&window, QPoint()), part->size()), Qt::gray);
+  painter.end();
+  return picture.scaled(kWidth_px, kHeight_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+      .convertToFormat(QImage::Format_Grayscale8);
+}
+
+double difference(const QImage& a, const QImage& b) {
+  if (a.isNull() || a.size() != b.size()) return 255;
+  const QImage grey_a = a.convertToFormat(QImage::Format_Grayscale8);
+  const QImage grey_b = b.convertToFormat(QImage::Format_Grayscale8);
+  double largest = 0;
+  for (int top = 0; top + kBlock_px <= a.height(); top += kBlock_px)
+    for (int left = 0; left + kBlock_px <= a.width(); left += kBlock_px) {
+      int sum = 0;
+      for (int y = top; y < top + kBlock_px; ++y)
+        for (int x = left; x < left + kBlock_px; ++x)
+          sum += std::abs(int(grey_a.constScanLine(y)[x]) - int(grey_b.constScanLine(y)[x]));
+      largest = std::max(largest, double(sum) / (kBlock_px * kBlock_px));
+    }
+  return largest;
+}
+
+KeptPictures::Use KeptPictures::useFromEnvironment() {
+  const QByteArray wanted = qgetenv("FACENAV_WALK_PICTURES");
+  return wanted == "new" ? Use::renew : wanted == "noise" ? Use::measure_noise : Use::compare;
+}
+
+QString KeptPictures::file(const QString& name) const {
+  return QString::fromStdString((folder_ / name.toStdString()).string()) + ".png";
+}
+
+double KeptPictures::tolerance(const QString& name) const {
+  return kTolerance * std::max(kLeastNoise, QImage(file(name)).text(kNoise).toDouble());
+}
+
+QString KeptPictures::show(const QString& name, const QImage& picture) const {
+  if (use_ == Use::renew) {
+    std::filesystem::create_directories(folder_);
+    return picture.save(file(name), "PNG", 0) ? QString() : "cannot be written: " + file(name);
+  }
+  QImage kept(file(name));
+  if (kept.isNull()) return "there is no kept picture of " + name;
+  const double found = difference(kept, picture);
+  if (use_ == Use::measure_noise) {
+    kept.setText(kNoise, QString::number(std::max(found, kept.text(kNoise).toDouble()), 'f', 2));
+    return kept.save(file(name), "PNG", 0) ? QString() : "cannot be written: " + file(name);
+  }
+  if (found <= tolerance(name)) return {};
+  return QString("%1 differs from the kept picture by %2 grey levels; %3 are allowed")
+      .arg(name)
+      .arg(found, 0, 'f', 1)
+      .arg(tolerance(name), 0, 'f', 1);
+}
+
+}  // namespace facenav::testing
