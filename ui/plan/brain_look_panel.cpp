@@ -11,6 +11,7 @@
 
 #include "prepare/distance_legend.h"
 #include "shell/appearance.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 namespace {
@@ -37,7 +38,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::SHIFT + Qt::Key_1 + i));
-    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+    leaveRoomForBold(*button);
     looks_->addButton(button, i);
     row->addWidget(button);
   }

@@ -240,7 +240,7 @@ void WorklistPage::showMenu(const QPoint& at) {
     add(label_->text(), "F2", [this] { labelChosen(); });
   }
   for (auto* button : {cancel_, retry_, remove_})
-    if (!button->isHidden())
+    if (button->isEnabled())
       add(button->text(), button == retry_ ? "F5" : "Del", [button] { button->click(); });
   menu->addSeparator();
   if (is_case) add(tr("Delete\u2026"), "Del", [this] { removeChosen(); });

@@ -60,8 +60,11 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
   scrolled->setLayout(bulls_eye_and_figures_);
   column_ = new ScrollColumn(scrolled, kFigures_px, this);
   column_->viewport()->installEventFilter(this);
-  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this,
-          [this] { QTimer::singleShot(0, this, [this] { arrange(); }); });
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, [this] {
+    QTimer::singleShot(0, this, [this] {
+      if (isVisible()) arrange();
+    });
+  });
   column->addWidget(column_, 1);
   pulses_ = new PulseRow(treat, sounds, this);
   column->addWidget(pulses_);
