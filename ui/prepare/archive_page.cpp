@@ -102,6 +102,7 @@ QWidget* ArchivePage::makeFoot() {
   back->setToolTip(tr("to the series page (Alt+2)"));
   shows_patient_ = new QCheckBox(tr("show patients"), box);
   shows_patient_->setToolTip(tr("patient ID and name in the list; hidden otherwise"));
+  whenTextScales(box, [this, back] { shows_patient_->setMinimumHeight(back->sizeHint().height()); });
   words_ = new QLabel(box);
   words_->setObjectName("taskwords");
   words_->setWordWrap(true);

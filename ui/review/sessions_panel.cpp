@@ -179,7 +179,8 @@ QWidget* SessionsPanel::makeEdits() {
   column->setContentsMargins(0, 0, 0, 0);
   auto* fields = new QHBoxLayout;
   reason_ = new QLineEdit(box);
-  reason_->setPlaceholderText(tr("reason to exclude the chosen pulses"));
+  reason_->setPlaceholderText(tr("reason to exclude them"));
+  reason_->setToolTip(tr("why the chosen pulses do not count; kept with the change"));
   by_ = new QLineEdit(box);
   by_->setPlaceholderText(tr("by"));
   by_->setToolTip(tr("your name or initials; kept with the change"));

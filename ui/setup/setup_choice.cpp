@@ -67,7 +67,7 @@ QString SetupPresenter::choiceWords() const {
   if (!faults_.isEmpty()) return tr("the cameras are not open: see what is written below the fields");
   if (canOpen()) return tr("open the cameras");
   const bool has_both = !left_.isEmpty() && !right_.isEmpty();
-  if (has_both) return tr("see what is written below the fields");
+  if (has_both) return tr("these cameras cannot be opened: see what is written below the fields");
   if (deviceWords().isEmpty()) return tr("choose the left and the right camera, and open them");
   return deviceWords() + tr("; or type the address of a stream, a video or a folder of pictures");
 }
