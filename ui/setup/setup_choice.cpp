@@ -65,7 +65,8 @@ QString SetupPresenter::deviceWords() const {
 
 QString SetupPresenter::choiceWords() const {
   if (!faults_.isEmpty()) return tr("the cameras are not open: see what is written below the fields");
-  if (canOpen()) return tr("open the cameras");
+  const bool are_typed = isAddress(left_) && isAddress(right_);
+  if (canOpen()) return are_typed || deviceWords().isEmpty() ? tr("open the cameras") : deviceWords();
   const bool has_both = !left_.isEmpty() && !right_.isEmpty();
   if (has_both) return tr("these cameras cannot be opened: see what is written below the fields");
   if (deviceWords().isEmpty()) return tr("choose the left and the right camera, and open them");
