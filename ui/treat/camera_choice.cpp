@@ -30,6 +30,7 @@ void listCameras(QComboBox& box, const std::vector<capture::FoundCamera>& device
       typed->setText(typing), typed->setModified(true);
     else if (box.currentIndex() < 0)
       box.setEditText(chosen);
+    typed->setToolTip(box.currentText().isEmpty() ? box.toolTip() : box.currentText());
     typed->setCursorPosition(0);  // the beginning of long words is in view
     if (!typing.isEmpty()) typed->end(false);
     return;
