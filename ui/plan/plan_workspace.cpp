@@ -148,6 +148,27 @@ void PlanWorkspace::showFields() {
   if (!is_long) search_->clear();  // or targets would stay hidden without a reason in sight
 }
 
+/// Makes the row of the note and what undoes, redoes and deletes; in one row, as the list needs the height.
+QHBoxLayout* PlanWorkspace::makeEdits(QWidget* parent) {
+  auto* edit = new QHBoxLayout;
+  edit->setSpacing(4);
+  edit->addWidget(note_, 1);
+  undo_ = new QPushButton(tr("Undo"), parent);
+  redo_ = new QPushButton(tr("Redo"), parent);
+  remove_ = new QPushButton(tr("Delete"), parent);
+  undo_->setToolTip(tr("Ctrl+Z"));
+  redo_->setToolTip(tr("Ctrl+Shift+Z"));
+  remove_->setToolTip(tr("Del"));
+  for (auto* button : {undo_, redo_, remove_}) {
+    button->setObjectName("tool");
+    edit->addWidget(button);
+  }
+  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
+  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
+  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
+  return edit;
+}
+
 QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
@@ -185,20 +206,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   within->addWidget(makeFields(body));
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
-  auto* edit = new QHBoxLayout;  // with the note in one row: the list needs the height
-  edit->setSpacing(4);
-  edit->addWidget(note_, 1);
-  undo_ = new QPushButton(tr("Undo"), panel);
-  redo_ = new QPushButton(tr("Redo"), panel);
-  remove_ = new QPushButton(tr("Delete"), panel);
-  undo_->setToolTip(tr("Ctrl+Z"));
-  redo_->setToolTip(tr("Ctrl+Shift+Z"));
-  remove_->setToolTip(tr("Del"));
-  for (auto* button : {undo_, redo_, remove_}) {
-    button->setObjectName("tool");
-    edit->addWidget(button);
-  }
-  within->addLayout(edit);
+  within->addLayout(makeEdits(panel));
   column->addWidget(new ScrollColumn(body, 300, panel), 1);
   column->addWidget(new HandlePanel(presenter_, panel));  // in sight however long the column is
   place_panel_ = new PlacePanel(place_, panel);
@@ -206,9 +214,6 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   connect(shown_, &ShownTools::sitesShown, this, &PlanWorkspace::showSites);
   connect(shown_, &ShownTools::coilSlicesShown, views_, &LinkedViews::setCoilSlicesShown);
   views_->setCoilSlicesShown(shown_->showsCoilSlices());
-  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
-  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
-  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
   return panel;
 }
 
