@@ -214,7 +214,8 @@ class PlanSteps {
         landmarks.push_back({toString(which), landmark->point});
     if (measures.landmarks().isComplete()) {
       for (const auto& site : measures.eegSites().sites) sites.push_back({site.name, site.point});
-      sites.push_back({"Beam F3", measures.beamF3().point});
+      sites.push_back({"Beam F3", measures.beamF3(guidance::Side::left).point});
+      sites.push_back({"Beam F4", measures.beamF3(guidance::Side::right).point});
     }
     scene::writePng(pictures::drawPlan(*head().scalp, landmarks, sites, store_.targets().targets,
                                        head().plate, request_.target),
@@ -320,7 +321,7 @@ void addPlan(CLI::App& app, Context& context) {
                    "finds a landmark again: nasion, inion, tragus-left, ..")
       ->check(understoodBy([](const std::string& name) { surface::landmarkFrom(name); }))
       ->allow_extra_args(false);
-  verb->add_flag("--measures", request->measures, "tape measures, EEG sites and Beam F3");
+  verb->add_flag("--measures", request->measures, "tape measures, EEG sites, Beam F3 and F4");
   verb->add_option("--picture", request->picture, "PNG of the head with landmarks, EEG sites and coils");
   verb->add_option("--slices", request->slices,
                    "PNG of the MRI along the coil's axis, at --target or at every target");

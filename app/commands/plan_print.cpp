@@ -16,6 +16,11 @@ using Json = nlohmann::ordered_json;
 
 double tenthDegrees(double rad) { return tenth(rad * kDegPerRad); }
 
+Json beamJson(const guidance::BeamF3& beam) {
+  return {
+      {"x_mm", tenth(beam.lengths.x_mm)}, {"y_mm", tenth(beam.lengths.y_mm)}, {"mm", tenths(beam.point.mm)}};
+}
+
 }  // namespace
 
 void printPresets(bool is_json) {
@@ -60,7 +65,7 @@ void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json) {
 
 void printMeasures(const steps::HeadMeasures& measures, bool is_json) {
   const auto& eeg = measures.eegSites();
-  const auto& beam = measures.beamF3();
+  const auto &left = measures.beamF3(guidance::Side::left), &right = measures.beamF3(guidance::Side::right);
   if (is_json) {
     Json sites = Json::array();
     for (const auto& site : eeg.sites)
@@ -71,10 +76,8 @@ void printMeasures(const steps::HeadMeasures& measures, bool is_json) {
     return printJson({{"nasion_inion_mm", tenth(eeg.nasion_inion_mm)},
                       {"tragus_tragus_mm", tenth(eeg.tragus_tragus_mm)},
                       {"circumference_mm", tenth(eeg.circumference_mm)},
-                      {"beam_f3",
-                       {{"x_mm", tenth(beam.lengths.x_mm)},
-                        {"y_mm", tenth(beam.lengths.y_mm)},
-                        {"mm", tenths(beam.point.mm)}}},
+                      {"beam_f3", beamJson(left)},
+                      {"beam_f4", beamJson(right)},
                       {"sites", sites}});
   }
   std::printf("nasion-inion %.0f mm, tragus-tragus %.0f mm, circumference over Fpz and Oz %.0f mm\n",
@@ -83,8 +86,9 @@ void printMeasures(const steps::HeadMeasures& measures, bool is_json) {
     std::printf("%-8s %7.1f %7.1f %7.1f  +- %.0f mm%s\n", site.name.c_str(), site.point.mm.x(),
                 site.point.mm.y(), site.point.mm.z(), site.sd_mm,
                 site.span_mm > 2 ? "  (the tape passes over a hollow)" : "");
-  std::printf("Beam F3  %7.1f %7.1f %7.1f  x %.0f mm, y %.0f mm\n", beam.point.mm.x(), beam.point.mm.y(),
-              beam.point.mm.z(), beam.lengths.x_mm, beam.lengths.y_mm);
+  for (const auto& [name, beam] : {std::pair("Beam F3", &left), std::pair("Beam F4", &right)})
+    std::printf("%s  %7.1f %7.1f %7.1f  x %.0f mm, y %.0f mm\n", name, beam->point.mm.x(), beam->point.mm.y(),
+                beam->point.mm.z(), beam->lengths.x_mm, beam->lengths.y_mm);
 }
 
 void printPlan(const guidance::TreatmentPlan& plan, const steps::PlannedHead& head, bool is_json) {

@@ -9,7 +9,7 @@ namespace facenav::app {
 
 void printPresets(bool is_json);
 void printLandmarks(const surface::ScalpLandmarks& landmarks, bool is_json);
-/// Prints tape measures, the EEG sites with their errors, and Beam F3.
+/// Prints tape measures, the EEG sites with their errors, and Beam F3 and F4.
 void printMeasures(const steps::HeadMeasures& measures, bool is_json);
 /// Prints the targets and the contact of the plate with the head.
 void printPlan(const guidance::TreatmentPlan& plan, const steps::PlannedHead& head, bool is_json);

@@ -28,14 +28,15 @@ void takeFrames(capture::FrameSource& source, std::int64_t step, const FrameTake
 void takeLive(const capture::NamedRig& rig, const RigRequest& request, const Context& context,
               const FrameTaker& take) {
   const auto source = capture::openRig(context.registrations.cameras, rig);
-  double next_s = Timestamp::now().s;
-  for (const double until_s = next_s + request.live_s; Timestamp::now().s < until_s;) {
-    const auto frame = source->next();
-    if (!frame) break;
-    if (Timestamp::now().s < next_s) continue;
-    next_s = Timestamp::now().s + request.live_s / kMostFrames;
+  std::optional<double> until_s, next_s;
+  while (const auto frame = source->next()) {
+    if (!until_s) until_s = frame->captured.s + request.live_s;
+    if (frame->captured.s > *until_s) break;
+    if (next_s && frame->captured.s < *next_s) continue;
+    next_s = frame->captured.s + request.live_s / kMostFrames;
     take(*frame);
   }
+  if (const auto missing = source->missingPairs(); !missing.empty()) logWarning(missing);
   for (const auto& words : capture::changedSettings(*source)) logWarning(words);
 }
 
@@ -65,19 +66,21 @@ std::string checkJson(const health::RigVerification& result) {
                        {"true_mm", length.true_mm},
                        {"measured_mm", length.measured_mm},
                        {"sigma_mm", length.sigma_mm}});
-  const CheckJson json = {{"state", health::toString(result.state)},
-                          {"words", result.words()},
-                          {"frames", result.frames},
-                          {"board_frames", result.board_frames},
-                          {"marker_frames", result.marker_frames},
-                          {"lengths", lengths},
-                          {"row_error_px", result.row_error_px},
-                          {"left_lens_px", result.left_lens_px},
-                          {"right_lens_px", result.right_lens_px},
-                          {"scale_change", result.scale_change},
-                          {"turn_deg", result.turn_deg},
-                          {"shift_mm", result.shift_mm},
-                          {"point_error_mm", result.point_error_mm}};
+  const CheckJson json = {
+      {"state", health::toString(result.state)},
+      {"words", result.words()},
+      {"frames", result.frames},
+      {"board_frames", result.board_frames},
+      {"marker_frames", result.marker_frames},
+      {"lengths", lengths},
+      {"row_error_px", result.row_error_px},
+      {"left_lens_px", result.left_lens_px},
+      {"right_lens_px", result.right_lens_px},
+      {"scale_change", result.scale_change},
+      {"turn_deg", result.turn_deg},
+      {"shift_mm", result.shift_mm},
+      {"point_error_mm", result.point_error_mm},
+      {"fitting_square_mm", result.square_doubt ? CheckJson(result.square_doubt->fitting_mm) : CheckJson()}};
   return json.dump(1, ' ', false, CheckJson::error_handler_t::replace);
 }
 
@@ -102,7 +105,10 @@ void checkRig(const RigRequest& request, Context& context) {
     if (result.state == health::RigState::holds)
       std::printf("%s: %s\n", request.name.c_str(), result.words().c_str());
   }
-  if (result.state != health::RigState::holds) throw Error(request.name + ": " + result.words());
+  if (result.state == health::RigState::holds) return;
+  const bool has_no_board = request.board.empty() && result.marker_frames == 0;
+  throw Error(request.name + ": " + result.words(), {},
+              has_no_board ? "to check with a board, give --board and --square" : "");
 }
 
 }  // namespace facenav::app

@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -22,9 +23,11 @@
 #include "plan/grid_panel.h"
 #include "plan/plan_workspace.h"
 #include "plan/target_list.h"
+#include "plan/typed_coordinates.h"
 #include "prepare/sign_off_presenter.h"
 #include "shell/author.h"
 #include "shell/linked_views.h"
+#include "shell/view_menu.h"
 
 namespace facenav::ui {
 namespace {
@@ -208,6 +211,66 @@ TEST_F(PlanPage, TheListsMenuRenamesCopiesLocksAndRemovesTheTargetUnderTheMouse)
   action("M1 R copy", "Delete")->trigger();
   EXPECT_EQ(names(), (std::vector<std::string>{first.toStdString(), "M1 R"}));
   EXPECT_EQ(plan_.activeName(), first) << "the active target stays so";
+}
+
+TEST_F(PlanPage, FourTargetsAreInSightInAWindowOf1366By768) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  for (int i = 0; i < 3; ++i) plan_.addTarget(Point<Mri>(40, 5 * i, 60));
+  page_->resize(1240, 620);  // what the window leaves to a page
+  QTest::qWait(100);
+  const auto* list = page_->findChild<TargetList*>();
+  EXPECT_GE(list->visibleRegion().boundingRect().height(), 4 * list->sizeHintForRow(0));
+}
+
+TEST_F(PlanPage, TheMenuOfAViewCopiesGoesThereAndResets) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  auto* views = page_->findChild<LinkedViews*>();
+  const auto act = [](QWidget& view, const ViewOffers& offers, const QString& begin) {
+    const std::unique_ptr<QMenu> menu(makeViewMenu(view, offers));
+    for (auto* action : menu->actions())
+      if (action->text().startsWith(begin)) return action->trigger(), true;
+    return false;
+  };
+  auto* slice = page_->findChildren<SliceView*>().front();
+  const QPoint place(slice->width() / 3, slice->height() / 3);
+  const auto offers = slice->offersAt(place);
+  ASSERT_TRUE(offers.place);
+  ASSERT_TRUE(act(*slice, offers, "Copy the coordinates"));
+  const auto typed = readCoordinates(QApplication::clipboard()->text());
+  ASSERT_TRUE(typed.mm) << "the field for coordinates reads what was copied";
+  EXPECT_LT((*typed.mm - offers.place->mm).norm(), 0.1);
+  const std::size_t targets = names().size();
+  ASSERT_TRUE(act(*slice, offers, "Go to this place"));
+  EXPECT_LT((views->crosshair().mm - offers.place->mm).norm(), 1e-6);
+  EXPECT_EQ(names().size(), targets) << "no target is made";
+  EXPECT_TRUE(act(*slice, offers, "Reset the view"));
+  auto& scene = views->sceneView();
+  const auto at_head = scene.offersAt(scene.rect().center()), beside = scene.offersAt(QPoint(2, 2));
+  ASSERT_TRUE(at_head.place);
+  ASSERT_TRUE(act(scene, at_head, "Go to this place"));
+  EXPECT_LT((views->crosshair().mm - at_head.place->mm).norm(), 1e-6);
+  EXPECT_EQ(names().size(), targets);
+  EXPECT_FALSE(beside.place) << "there is no surface";
+  EXPECT_FALSE(act(scene, beside, "Copy"));
+  EXPECT_TRUE(act(scene, beside, "Reset the view"));
+  for (auto* coil_slice : page_->findChildren<CoilSliceView*>()) {
+    EXPECT_TRUE(coil_slice->offersAt(coil_slice->rect().center()).goTo);
+  }
+  SceneView alone;  // as in Review: nothing follows a crosshair there
+  EXPECT_FALSE(alone.offersAt(QPoint(5, 5)).goTo);
+}
+
+TEST_F(PlanPage, AClickOfTheRightButtonOpensTheMenuAndADragZooms) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  auto* slice = page_->findChildren<SliceView*>().front();
+  const auto menus = [&] { return slice->findChildren<QMenu*>(); };
+  QTest::mousePress(slice, Qt::RightButton, Qt::NoModifier, QPoint(60, 60));
+  QTest::mouseMove(slice, QPoint(60, 90));
+  QTest::mouseRelease(slice, Qt::RightButton, Qt::NoModifier, QPoint(60, 90));
+  EXPECT_TRUE(menus().isEmpty());
+  QTest::mouseClick(slice, Qt::RightButton, Qt::NoModifier, QPoint(60, 60));
+  ASSERT_EQ(menus().size(), 1);
+  menus().front()->close();
 }
 
 TEST_F(PlanPage, TheAuthorIsAskedOnceForAllPages) {

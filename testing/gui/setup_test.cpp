@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <cstdlib>
@@ -145,6 +148,76 @@ TEST_F(SetupTest, AnUnpluggedCameraIsSaidInOneSentence) {
   ASSERT_NO_FATAL_FAILURE(open(setup));
   room_->is_unplugged = true;
   EXPECT_TRUE(fixtures::waitFor([&] { return setup.sentence().contains("unplugged"); }));
+}
+
+TEST_F(SetupTest, WhatIsWrongWithATypedAddressStandsAtItsField) {
+  services_.listCameras = [](capture::Search) { return std::vector<capture::FoundCamera>(); };
+  services_.openNewCameras = [](const std::string&, const std::string& right, int, int) -> NewCameras {
+    throw steps::PairError({capture::CameraFault::missing, "the stream cannot be opened", right, "check it"},
+                           false);
+  };
+  TaskRunner tasks;
+  SetupPresenter setup(services_, tasks);
+  setup.lookForCameras();
+  ASSERT_TRUE(fixtures::waitFor([&] { return !tasks.isRunning(); }));
+  EXPECT_TRUE(setup.sentence().contains("or type the address")) << setup.sentence().toStdString();
+  setup.choose("/no/such/left.mkv", "rtsp://host/right");
+  EXPECT_TRUE(setup.trouble(SetupField::left).contains("there is no such file or folder"));
+  EXPECT_EQ(setup.trouble(SetupField::right), "");
+  EXPECT_FALSE(setup.canOpen());
+  setup.choose("rtsp://host/left", "rtsp://host/left");
+  EXPECT_TRUE(setup.trouble(SetupField::right).contains("this is the left camera"));
+  setup.choose("rtsp://host/left", "rtsp://host/right");
+  setup.chooseSize("1280 by 720");
+  EXPECT_TRUE(setup.trouble(SetupField::size).contains("as 1280x720"));
+  EXPECT_FALSE(setup.canOpen());
+  setup.chooseSize("1456 x 1088");
+  EXPECT_EQ(setup.trouble(SetupField::size), "");
+  ASSERT_TRUE(setup.canOpen());
+  setup.open();
+  ASSERT_TRUE(fixtures::waitFor([&] { return !tasks.isRunning(); }));
+  EXPECT_TRUE(setup.trouble(SetupField::right).contains("the stream cannot be opened; check it"))
+      << setup.trouble(SetupField::right).toStdString();
+  EXPECT_EQ(setup.trouble(SetupField::left), "");
+  EXPECT_TRUE(setup.canOpen()) << "it may be tried again";
+  setup.lookForCameras();
+  ASSERT_TRUE(fixtures::waitFor([&] { return !tasks.isRunning(); }));
+  EXPECT_EQ(setup.left(), "rtsp://host/left") << "no search finds an address, and none forgets it";
+}
+
+TEST_F(SetupTest, AnAddressIsTypedInTheWindow) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  services_.listCameras = [](capture::Search) { return std::vector<capture::FoundCamera>(); };
+  SetupWindow window(services_);
+  window.resize(1280, 720);
+  window.show();
+  QApplication::setActiveWindow(&window);
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.presenter().sentence().contains("type the address"); }));
+  std::vector<QLineEdit*> typed;
+  for (auto* box : window.findChildren<QComboBox*>())
+    if (box->isVisible() && box->isEditable()) typed.push_back(box->lineEdit());
+  ASSERT_EQ(typed.size(), 3u) << "left, right, size";
+  typed[0]->setFocus();
+  QTest::keyClicks(typed[0], "/no/such/left.mkv");
+  QTest::keyClick(typed[0], Qt::Key_Return);
+  EXPECT_EQ(window.presenter().left(), "/no/such/left.mkv");
+  EXPECT_EQ(typed[0]->text(), "/no/such/left.mkv") << "what was typed stays";
+  typed[1]->setFocus();
+  QTest::keyClicks(typed[1], "2");
+  QTest::keyClick(typed[1], Qt::Key_Tab);
+  EXPECT_EQ(window.presenter().right(), "2");
+  QStringList shown;
+  for (auto* label : window.findChildren<QLabel*>("fault"))
+    if (label->isVisible()) shown << label->text();
+  ASSERT_EQ(shown.size(), 2) << shown.join(" | ").toStdString();
+  EXPECT_TRUE(shown[0].contains("there is no such file or folder")) << shown[0].toStdString();
+  EXPECT_TRUE(shown[1].contains("there is no such camera")) << shown[1].toStdString();
+  if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+    for (const QSize& size : {QSize(1280, 720), QSize(1366, 768)}) {
+      window.resize(size);
+      QTest::qWait(150);
+      window.grab().save(QString("%1/setup_typed_%2.png").arg(pictures).arg(size.width()));
+    }
 }
 
 struct ShownSize {

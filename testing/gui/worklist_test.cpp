@@ -72,6 +72,29 @@ TEST_F(WorklistTest, ShowsTheUnreadableWithItsReasonAndWhatIsQueued) {
   EXPECT_TRUE(worklist_.rows()[1].detail.contains("case.json"));
 }
 
+TEST_F(WorklistTest, NoButtonMovesWhenAnotherLineIsChosen) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  makeCase("one");
+  fs::create_directories(folder_.path() / "dropped");
+  queue_.add(QString::fromStdString((folder_.path() / "dropped").string()));
+  ASSERT_TRUE(show(2));
+  WorklistPage page(worklist_, queue_);
+  page.resize(1150, 600);
+  page.show();
+  auto* view = page.findChild<QTableView*>();
+  const auto places = [&](int line) {
+    view->selectRow(line);
+    QApplication::processEvents();
+    std::vector<QRect> all;
+    for (auto* button : page.findChildren<QPushButton*>())
+      if (button->isVisible()) all.push_back(button->geometry());
+    return all;
+  };
+  const auto of_first = places(0), of_second = places(1);
+  EXPECT_EQ(of_first.size(), 6u) << "what does not apply is grey, not gone";
+  EXPECT_EQ(of_first, of_second);
+}
+
 TEST_F(WorklistTest, TypingFiltersByEveryWord) {
   casefile::signOff(makeCase("one"), {"XY", "", true});
   makeCase("two");

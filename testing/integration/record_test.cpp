@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "facenav/capture/recording.h"
@@ -50,6 +51,29 @@ class RecordVerb : public ::testing::Test {
   TemporaryFolder folder_;
   cameras::StereoRig rig_ = scene::roomRig();
 };
+
+TEST_F(RecordVerb, EveryPairOfTwoVideosIsReadAndMissingOnesAreNamed) {
+  filmOf(90);
+  const auto whole = runFacenav("record " + liveCameras() + " --seconds 60 -o " + at("recording"));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  EXPECT_THAT(whole.output, HasSubstr("90 pairs in 3.0 s"));
+  EXPECT_EQ(capture::openRecording(folder_.path() / "recording").frame_count, 90);
+  // As folders of pictures, two of which are missing.
+  for (const std::string side : {"l", "r"}) {
+    fs::create_directories(folder_.path() / side);
+    for (int i = 0; i < 12; ++i)
+      if (!(side == "r" && (i == 4 || i == 9)))
+        cv::imwrite((folder_.path() / side / (std::to_string(100 + i) + ".png")).string(),
+                    boardFrame(rig_, 0).left);
+  }
+  const auto gaps = runFacenav("record --left " + at("l") + " --right " + at("r") + " --calibration " +
+                               at("stereo.yml") + " -o " + at("gaps"));
+  ASSERT_EQ(gaps.status, 0) << gaps.errors;
+  EXPECT_THAT(gaps.output, HasSubstr("10 pairs in 0.4 s"));
+  EXPECT_THAT(gaps.output,
+              HasSubstr("2 pairs are missing: the right file has no partner for left pictures 104, 109"));
+  EXPECT_EQ(capture::openRecording(folder_.path() / "gaps").frame_count, 10);
+}
 
 TEST_F(RecordVerb, WritesARecordingThatOtherVerbsRead) {
   filmOf(90);

@@ -63,6 +63,13 @@ TEST_F(RigVerb, IsMadeListedAndCheckedFromFiles) {
   EXPECT_EQ(std::count(turned.errors.begin(), turned.errors.end(), '\n'), 1) << turned.errors;
   EXPECT_THAT(turned.errors, HasSubstr("calibrate again"));
   EXPECT_EQ(nlohmann::json::parse(turned.output)["state"], "moved");
+  EXPECT_TRUE(nlohmann::json::parse(turned.output)["fitting_square_mm"].is_null());
+  auto typed_wrong = pictures("same", rig_);
+  typed_wrong.replace(typed_wrong.find("--square 20"), 11, "--square 25");
+  const auto wrong_square = runFacenav("rig check bar" + rigs() + typed_wrong);
+  EXPECT_EQ(wrong_square.status, 1);
+  EXPECT_THAT(wrong_square.errors, HasSubstr("the squares measure 20.0"));
+  EXPECT_THAT(wrong_square.errors, HasSubstr("measure one and give its size again"));
   EXPECT_EQ(list()[0]["last_check"]["state"], "moved");
 }
 
@@ -107,7 +114,7 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
     ASSERT_TRUE(writer.isOpened());
     cv::Mat changing = image.clone();
     for (int i = 0; i < 90; ++i) {
-      changing(cv::Rect(0, 0, 4, 4)).setTo(i);  // a repeated picture is ignored
+      changing(cv::Rect(0, 0, 4, 4)).setTo(i);
       writer.write(changing);
     }
   }
@@ -122,7 +129,19 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
   EXPECT_EQ(checked.status, 0) << checked.errors << checked.output;
   const auto wrong = runFacenav("cameras --quick --try 0.5 --size 320x240 --left " + pair);
   EXPECT_EQ(wrong.status, 1);
-  EXPECT_THAT(wrong.errors, HasSubstr("it has 640 x 480"));
+  EXPECT_THAT(wrong.errors, HasSubstr("it has 640 x 480; choose this size"));
+  const auto photo = make("--replace --left-camera " + at("same.png") + " --right-camera " + at("right.avi"));
+  EXPECT_THAT(photo.errors, HasSubstr("there is no such file or folder"));
+  cv::imwrite((folder_.path() / "same.png").string(), frame.left);
+  EXPECT_THAT(make("--replace --left-camera " + at("same.png") + " --right-camera " + at("right.avi")).errors,
+              HasSubstr("this is one picture, not a film"));
+  EXPECT_THAT(runFacenav("rig check bar --board 9x6 --square 20 --left " + at("left.avi") + " --right " +
+                         at("right.avi") + rigs())
+                  .errors,
+              HasSubstr("this is a film, not a picture"));
+  EXPECT_THAT(
+      runFacenav("rig check bar --left " + at("same.png") + " --right " + at("same.png") + rigs()).errors,
+      HasSubstr("to check with a board, give --board and --square"));
 }
 
 /// Two videos of the coil's marker at rest replace the cameras of a kept rig, whose right one has turned

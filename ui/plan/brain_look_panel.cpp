@@ -11,6 +11,7 @@
 
 #include "prepare/distance_legend.h"
 #include "shell/appearance.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 namespace {
@@ -37,7 +38,7 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
     button->setCheckable(true);
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::SHIFT + Qt::Key_1 + i));
-    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+    leaveRoomForBold(*button);
     looks_->addButton(button, i);
     row->addWidget(button);
   }
@@ -47,10 +48,12 @@ BrainLookPanel::BrainLookPanel(CortexPresenter& presenter, QWidget* parent)
   peel_->setAccessibleName(tr("peel depth"));
   peel_->setToolTip(tr("how deep below the surface the MRI is shown, 0 to 40 mm (arrows, Page up and down)"));
   peel_words_ = new QLabel(this);
-  peel_words_->setMinimumWidth(sized(110));
+  whenTextScales(this, [this] { peel_words_->setMinimumWidth(sized(110)); });
   column->addLayout(row);
   auto* below_box = new QWidget(this);
-  below_box->setMinimumHeight(sized(36));  // fixed, so that the view above keeps its size
+  whenTextScales(below_box, [below_box] {
+    below_box->setMinimumHeight(sized(36));  // fixed, so that the view above keeps its size
+  });
   auto* below = new QHBoxLayout(below_box);
   below->setContentsMargins(0, 0, 0, 0);
   below->addWidget(peel_, 1);

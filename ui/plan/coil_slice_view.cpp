@@ -1,5 +1,7 @@
 #include "plan/coil_slice_view.h"
 
+#include <QContextMenuEvent>
+#include <QMetaMethod>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QRegularExpression>
@@ -105,8 +107,30 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   write(boundWords(), height() - letters - metrics.height());
 }
 
+ViewOffers CoilSliceView::offersAt(const QPoint& position) {
+  ViewOffers offers;
+  offers.reset = [this] { reset(); };
+  if (!showsSlice()) return offers;
+  offers.place = plane().toMri(position.x(), position.y());
+  // Where nobody follows the crosshair (live slices), there is nowhere to go.
+  if (isSignalConnected(QMetaMethod::fromSignal(&CoilSliceView::crosshairMoved)))
+    offers.goTo = [this, mm = offers.place->mm] { emit crosshairMoved(mm.x(), mm.y(), mm.z()); };
+  return offers;
+}
+
+void CoilSliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::RightButton && (event->pos() - pressed_at_).manhattanLength() <= kClickReach_px)
+    openViewMenu(*this, event->pos(), offersAt(event->pos()));
+}
+
+void CoilSliceView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Mouse)
+    openViewMenu(*this, rect().center(), offersAt(rect().center()));
+}
+
 void CoilSliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->pos();
+  pressed_at_ = event->pos();
   if (!showsSlice() || event->button() != Qt::LeftButton || event->modifiers() & Qt::ControlModifier) return;
   const auto p = plane().toMri(event->pos().x(), event->pos().y());
   emit crosshairMoved(p.mm.x(), p.mm.y(), p.mm.z());
@@ -122,7 +146,8 @@ void CoilSliceView::mouseMoveEvent(QMouseEvent* event) {
   } else if (event->buttons() & Qt::LeftButton) {
     const auto p = plane().toMri(event->pos().x(), event->pos().y());
     emit crosshairMoved(p.mm.x(), p.mm.y(), p.mm.z());
-  } else if (event->buttons() & Qt::RightButton) {
+  } else if (event->buttons() & Qt::RightButton &&
+             (event->pos() - pressed_at_).manhattanLength() > kClickReach_px) {
     zoom_ = std::clamp(zoom_ * (1.0 - 0.01 * step.y()), 0.5, 8.0);
     refresh();
   }

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "facenav/scene/coil_slices.h"
+#include "shell/view_menu.h"
 
 namespace facenav::ui {
 
@@ -33,6 +34,8 @@ class CoilSliceView : public QWidget {
   QString boundWords() const;
   /// Text in place of the slice.
   QString words() const { return words_; }
+  /// What its menu offers at a place in the view.
+  ViewOffers offersAt(const QPoint& position);
 
  signals:
   void crosshairMoved(double x_mm, double y_mm, double z_mm);
@@ -45,6 +48,8 @@ class CoilSliceView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -57,7 +62,7 @@ class CoilSliceView : public QWidget {
   QImage picture_;
   bool is_outdated_ = true;
   double zoom_ = 1.0;
-  QPoint last_;
+  QPoint last_, pressed_at_;
 };
 
 }  // namespace facenav::ui

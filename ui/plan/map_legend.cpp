@@ -16,7 +16,7 @@ MapLegend::MapLegend(OverlayPresenter& presenter, QWidget* parent) : QWidget(par
   setToolTip(
       tr("colours of the maps: negative on the left, positive on the right; smaller values are not shown"));
   connect(&presenter_, &OverlayPresenter::changed, this, &MapLegend::showMaps);
-  showMaps();
+  whenTextScales(this, [this] { showMaps(); });
 }
 
 void MapLegend::showMaps() {

@@ -21,8 +21,10 @@ OverlaysPanel::OverlaysPanel(OverlayPresenter& presenter, QWidget* parent)
     : QFrame(parent), presenter_(presenter) {
   auto* column = new QVBoxLayout(this);
   list_ = new QListWidget(this);
-  list_->setMinimumSize(sized(280), sized(90));
-  list_->setMaximumHeight(sized(130));
+  whenTextScales(this, [this] {
+    list_->setMinimumSize(sized(280), sized(90));
+    list_->setMaximumHeight(sized(130));
+  });
   list_->setToolTip(tr("what is shown over the MRI; the mark shows and hides it"));
   words_ = new QLabel(this);
   words_->setObjectName("muted");

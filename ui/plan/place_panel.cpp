@@ -37,8 +37,9 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   typed_->setToolTip(
       tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "
          "(Ctrl+G)"));
-  target_ = new QPushButton(tr("Target at the crosshair"), this);
-  target_->setToolTip(tr("a target at the cortex under it (Ctrl+T)"));
+  target_ = new QPushButton(tr("Target here"), this);
+  target_->setObjectName("tool");
+  target_->setToolTip(tr("a target at the cortex under the crosshair (Ctrl+T)"));
   target_->setShortcut(Qt::CTRL + Qt::Key_T);
   fault_->setObjectName("fault");
   makeNarrow(*fault_);
@@ -46,11 +47,13 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(frame_);
   row->addWidget(typed_, 1);
-  column->addWidget(heading);
+  auto* top = new QHBoxLayout;  // in one row: the list of targets needs the height
+  top->addWidget(heading, 1);
+  top->addWidget(target_);
+  column->addLayout(top);
   column->addWidget(words_);
   column->addLayout(row);
   column->addWidget(fault_);
-  column->addWidget(target_);
   connect(typed_, &QLineEdit::returnPressed, this, &PlacePanel::read);
   connect(target_, &QPushButton::clicked, this,
           [this] { emit targetWanted(crosshair_.mm.x(), crosshair_.mm.y(), crosshair_.mm.z()); });

@@ -33,6 +33,7 @@ struct ArrowKey {
 /// Steps along the coil's own axes. The coil is seen from above, so its +x points left.
 constexpr ArrowKey kArrows[] = {
     {Qt::Key_Left, 1, 0}, {Qt::Key_Right, -1, 0}, {Qt::Key_Up, 0, 1}, {Qt::Key_Down, 0, -1}};
+constexpr int kTargets_px = 150;              // of the list: four targets
 constexpr double kFar_mm = 5, kTurn_deg = 5;  // a step with Shift; a turn with Ctrl
 
 bool isView(const QWidget* widget) {
@@ -91,6 +92,7 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
   connect(&presenter_, &PlanPresenter::refused, this, &PlanWorkspace::showFault);
   connect(head_, &HeadPresenter::refused, &presenter_, &PlanPresenter::refused);
   connect(head_, &HeadPresenter::changed, this, &PlanWorkspace::showSites);
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, &PlanWorkspace::showSites);
   connect(overlays_, &OverlayPresenter::refused, &presenter_, &PlanPresenter::refused);
   connect(overlays_, &OverlayPresenter::changed, this, &PlanWorkspace::showOverlays);
   connect(views_, &LinkedViews::chosen, this, [this](double x, double y, double z, bool is_scalp) {
@@ -146,6 +148,27 @@ void PlanWorkspace::showFields() {
   if (!is_long) search_->clear();  // or targets would stay hidden without a reason in sight
 }
 
+/// Makes the row of the note and what undoes, redoes and deletes; in one row, as the list needs the height.
+QHBoxLayout* PlanWorkspace::makeEdits(QWidget* parent) {
+  auto* edit = new QHBoxLayout;
+  edit->setSpacing(4);
+  edit->addWidget(note_, 1);
+  undo_ = new QPushButton(tr("Undo"), parent);
+  redo_ = new QPushButton(tr("Redo"), parent);
+  remove_ = new QPushButton(tr("Delete"), parent);
+  undo_->setToolTip(tr("Ctrl+Z"));
+  redo_->setToolTip(tr("Ctrl+Shift+Z"));
+  remove_->setToolTip(tr("Del"));
+  for (auto* button : {undo_, redo_, remove_}) {
+    button->setObjectName("tool");
+    edit->addWidget(button);
+  }
+  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
+  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
+  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
+  return edit;
+}
+
 QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
@@ -175,7 +198,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   auto* body = new QWidget(panel);
   auto* within = new QVBoxLayout(body);
   within->setContentsMargins(0, 0, 0, 0);
-  targets_->setMinimumHeight(sized(90));
+  whenTextScales(this, [this] { targets_->setMinimumHeight(sized(kTargets_px)); });
   targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   within->addWidget(makeTools(body));
   shown_ = new ShownTools(presenter_, *overlays_, body);
@@ -184,26 +207,14 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   within->addWidget(makeFields(body));
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
-  within->addWidget(note_);
-  auto* edit = new QHBoxLayout;
-  undo_ = new QPushButton(tr("Undo"), panel);
-  redo_ = new QPushButton(tr("Redo"), panel);
-  remove_ = new QPushButton(tr("Delete"), panel);
-  undo_->setToolTip(tr("Ctrl+Z"));
-  redo_->setToolTip(tr("Ctrl+Shift+Z"));
-  remove_->setToolTip(tr("Del"));
-  for (auto* button : {undo_, redo_, remove_}) edit->addWidget(button);
-  within->addLayout(edit);
-  column->addWidget(new ScrollColumn(body, sized(300), panel), 1);
+  within->addLayout(makeEdits(panel));
+  column->addWidget(new ScrollColumn(body, 300, panel), 1);
   column->addWidget(new HandlePanel(presenter_, panel));  // in sight however long the column is
   place_panel_ = new PlacePanel(place_, panel);
   column->addWidget(place_panel_);
   connect(shown_, &ShownTools::sitesShown, this, &PlanWorkspace::showSites);
   connect(shown_, &ShownTools::coilSlicesShown, views_, &LinkedViews::setCoilSlicesShown);
   views_->setCoilSlicesShown(shown_->showsCoilSlices());
-  connect(undo_, &QPushButton::clicked, &presenter_, &PlanPresenter::undo);
-  connect(redo_, &QPushButton::clicked, &presenter_, &PlanPresenter::redo);
-  connect(remove_, &QPushButton::clicked, &presenter_, &PlanPresenter::removeActive);
   return panel;
 }
 
@@ -230,18 +241,20 @@ void PlanWorkspace::showSites() {
 }
 
 void PlanWorkspace::addKeys() {
-  const auto key = [this](const QKeySequence& keys, auto action) {
+  const auto key = [this](const QKeySequence& keys, const QString& what, auto action) {
     auto* shortcut = new QShortcut(keys, this);
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    shortcut->setWhatsThis(what);
     connect(shortcut, &QShortcut::activated, this, action);
   };
-  key(QKeySequence::Undo, [this] { presenter_.undo(); });
-  key(QKeySequence::Redo, [this] { presenter_.redo(); });
-  key(Qt::CTRL + Qt::Key_G, [this] { place_panel_->takeFocus(); });
-  key(QKeySequence::Delete, [this] { presenter_.removeActive(); });
+  key(QKeySequence::Undo, tr("undo the last step of the plan"), [this] { presenter_.undo(); });
+  key(QKeySequence::Redo, tr("redo the step that was undone"), [this] { presenter_.redo(); });
+  key(Qt::CTRL + Qt::Key_G, tr("type coordinates to go to"), [this] { place_panel_->takeFocus(); });
+  key(QKeySequence::Delete, tr("delete the active target"), [this] { presenter_.removeActive(); });
   for (const auto& arrow : kArrows) {  // wherever the focus is
-    key(Qt::ALT + arrow.key, [this, arrow] { presenter_.nudgeActive(arrow.x_mm, arrow.y_mm); });
-    key(Qt::ALT + Qt::SHIFT + arrow.key,
+    key(Qt::ALT + arrow.key, tr("move the target by 1 mm"),
+        [this, arrow] { presenter_.nudgeActive(arrow.x_mm, arrow.y_mm); });
+    key(Qt::ALT + Qt::SHIFT + arrow.key, tr("move the target by 5 mm"),
         [this, arrow] { presenter_.nudgeActive(kFar_mm * arrow.x_mm, kFar_mm * arrow.y_mm); });
   }
   const QString arrows =

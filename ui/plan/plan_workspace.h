@@ -11,6 +11,7 @@
 #include "plan/place_presenter.h"
 #include "plan/plan_presenter.h"
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -36,6 +37,7 @@ class PlanWorkspace : public QWidget {
 
  private:
   QWidget* makeTargetsPanel();
+  QHBoxLayout* makeEdits(QWidget* parent);
   TargetTools* makeTools(QWidget* parent);
   void showOverlays();
   void showSites();

@@ -41,12 +41,14 @@ ArchivePage::ArchivePage(ArchivePresenter& presenter, QWidget* parent)
   table_->setToolTip(tr("double click: fetch"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
-  const int widths[] = {110, 60, 220, 260, 80};
-  for (int i = 0; i < patient; ++i) table_->setColumnWidth(i, sized(widths[i]));
+  whenTextScales(this, [this] {
+    const int widths[] = {110, 60, 220, 260, 80};
+    for (int i = 0; i < patient; ++i) table_->setColumnWidth(i, sized(widths[i]));
+  });
   column->addWidget(table_, 1);
   column->addWidget(makeFoot());
   row->addLayout(column, 1);
-  row->addWidget(new ScrollColumn(new ArchiveSettings(presenter_, this), sized(370), this));
+  row->addWidget(new ScrollColumn(new ArchiveSettings(presenter_, this), 370, this));
   connect(&presenter_, &ArchivePresenter::found, this, &ArchivePage::showFound);
   connect(&presenter_, &ArchivePresenter::changed, this, &ArchivePage::showState);
   connect(&presenter_, &ArchivePresenter::queued, this, &ArchivePage::queued);
@@ -100,12 +102,13 @@ QWidget* ArchivePage::makeFoot() {
   back->setToolTip(tr("to the series page (Alt+2)"));
   shows_patient_ = new QCheckBox(tr("show patients"), box);
   shows_patient_->setToolTip(tr("patient ID and name in the list; hidden otherwise"));
+  whenTextScales(box, [this, back] { shows_patient_->setMinimumHeight(back->sizeHint().height()); });
   words_ = new QLabel(box);
   words_->setObjectName("taskwords");
   words_->setWordWrap(true);
   for (QWidget* each : {static_cast<QWidget*>(fetch_), static_cast<QWidget*>(cancel_),
                         static_cast<QWidget*>(back), static_cast<QWidget*>(shows_patient_)})
-    row->addWidget(each);
+    row->addWidget(each, 0, Qt::AlignBottom);  // where they are, however many lines the words take
   row->addWidget(words_, 1);
   connect(fetch_, &QPushButton::clicked, this, [this] { presenter_.fetch(table_->currentRow()); });
   connect(cancel_, &QPushButton::clicked, &presenter_, &ArchivePresenter::cancel);
@@ -145,7 +148,7 @@ void ArchivePage::showState() {
   const bool is_busy = presenter_.isBusy();
   find_->setEnabled(!is_busy);
   fetch_->setEnabled(!is_busy && table_->currentRow() >= 0);
-  cancel_->setVisible(is_busy);
+  cancel_->setEnabled(is_busy);  // grey, not gone: the others keep their places
   words_->setText(presenter_.words());
   const char* name = presenter_.isFault() ? "fault" : "muted";
   if (words_->objectName() != name) {

@@ -58,7 +58,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   heading->setObjectName("heading");
   findings_ = new WrappedList(panel);
   findings_->setAccessibleName(tr("findings"));
-  findings_->setToolTip(tr("findings in blue go to their place (click, or Return)"));
+  findings_->setToolTip(tr("underlined findings go to their place (click, or Return)"));
   const auto goTo = [this](QListWidgetItem* item) {
     const auto lines = presenter_.findings();
     const auto row = std::size_t(findings_->row(item));
@@ -76,7 +76,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   go_on->setShortcut(Qt::CTRL + Qt::Key_Return);
   connect(masks, &QCheckBox::toggled, views_, &LinkedViews::setMasksShown);
   connect(go_on, &QPushButton::clicked, this, &CheckPage::goOn);
-  findings_->setMinimumHeight(sized(110));
+  whenTextScales(this, [this] { findings_->setMinimumHeight(sized(110)); });
   findings_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   auto* body = new QWidget(panel);
   auto* within = new QVBoxLayout(body);
@@ -86,7 +86,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   auto* edit = new EditPanel(edit_, panel);
   within->addWidget(edit);
   column->addWidget(heading);
-  column->addWidget(new ScrollColumn(body, sized(310), panel), 1);
+  column->addWidget(new ScrollColumn(body, 310, panel), 1);
   connect(edit, &EditPanel::automaticShown, this, [this](bool is_shown) {
     shows_automatic_ = is_shown;
     showContours();
@@ -124,7 +124,11 @@ void CheckPage::showFindings() {
     item->setForeground(line.place        ? QColor(120, 190, 255)
                         : line.is_caution ? QColor(255, 178, 92)
                                           : QColor(210, 220, 228));
-    if (!line.place) continue;
+    if (!line.place) {
+      item->setFlags(Qt::ItemIsEnabled);  // no link: it cannot be selected or activated
+      continue;
+    }
+    item->setToolTip(tr("go to this place"));
     QFont link = item->font();
     link.setUnderline(true);
     item->setFont(link);

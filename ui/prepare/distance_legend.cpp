@@ -8,7 +8,7 @@
 namespace facenav::ui {
 
 DistanceLegend::DistanceLegend(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(sized(220), sized(36));
+  whenTextScales(this, [this] { setMinimumSize(sized(220), sized(36)); });
   setToolTip(
       tr("distance of the true surface from the phi-theta model: blue lies below it (a sulcus that the "
          "model spans), orange beyond it; the ends of the scale also hold what lies further"));

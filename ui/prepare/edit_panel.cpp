@@ -10,6 +10,8 @@
 #include <QSlider>
 #include <cmath>
 
+#include "shell/appearance.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -51,7 +53,10 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   words_->setObjectName("muted");
   words_->setWordWrap(true);
   words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  words_->setMinimumHeight(kWordLines * words_->fontMetrics().lineSpacing());  // buttons stay where they are
+  whenTextScales(this, [this] {  // buttons stay where they are
+    words_->ensurePolished();
+    words_->setMinimumHeight(kWordLines * words_->fontMetrics().lineSpacing());
+  });
   grid->addWidget(words_, 9, 0, 1, 3);
   connect(size_, &QSlider::valueChanged, this, [this](int value) {
     const double size_mm = double(value) / kSliderPerMm;

@@ -25,6 +25,10 @@ MontageView::MontageView(QWidget* parent) : QScrollArea(parent), sheet_(new QLab
   soon_.setSingleShot(true);
   soon_.setInterval(kRedraw_ms);
   connect(&soon_, &QTimer::timeout, this, &MontageView::draw);
+  whenTextScales(this, [this] {
+    scene_.text_scale = sized(100) / 100.0;
+    if (content_) soon_.start();
+  });
 }
 
 void MontageView::show(const LoadedCase& loaded) {

@@ -52,7 +52,7 @@ SignOffPage::SignOffPage(SignOffPresenter& presenter, CaseModel& model, QWidget*
 QWidget* SignOffPage::makePanel() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  panel->setFixedWidth(sized(380));
+  whenTextScales(panel, [panel] { panel->setFixedWidth(sized(380)); });
   auto* column = new QVBoxLayout(panel);
   status_ = wrapped(panel, "verdict");
   volumes_ = wrapped(panel, "plain");
@@ -74,7 +74,10 @@ QWidget* SignOffPage::makePanel() {
   reject_->setToolTip(tr("needs your name and a reason; the worklist shows them, and the scan is not used"));
   missing_ = wrapped(panel, "muted");
   missing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  missing_->setMinimumHeight(kMissingLines * missing_->fontMetrics().lineSpacing());  // fields stay in place
+  whenTextScales(this, [this] {  // fields stay in place
+    missing_->ensurePolished();
+    missing_->setMinimumHeight(kMissingLines * missing_->fontMetrics().lineSpacing());
+  });
   column->addWidget(status_);
   column->addWidget(volumes_);
   column->addWidget(heading);

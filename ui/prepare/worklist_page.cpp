@@ -18,6 +18,7 @@
 #include "shell/appearance.h"
 #include "shell/elided_label.h"
 #include "shell/users_words.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 
@@ -86,11 +87,13 @@ void WorklistPage::makeTable() {
   view_->setTabKeyNavigation(false);
   view_->setAccessibleName(tr("worklist"));
   view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(sized(36));
+  whenTextScales(this, [this] { view_->verticalHeader()->setDefaultSectionSize(sized(36)); });
   view_->horizontalHeader()->setStretchLastSection(true);
   view_->horizontalHeader()->setHighlightSections(false);
-  const int widths[] = {130, 220, 90, 90, 140};
-  for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, sized(widths[i]));
+  whenTextScales(this, [this] {
+    const int widths[] = {130, 220, 90, 90, 140};
+    for (int i = 0; i < 5; ++i) view_->setColumnWidth(i, sized(widths[i]));
+  });
   view_->installEventFilter(this);
   view_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(view_, &QTableView::doubleClicked, this, &WorklistPage::openChosen);
@@ -119,8 +122,9 @@ void WorklistPage::addKeys() {
 
 QWidget* WorklistPage::makeActions() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, auto action) {
     auto* made = new QPushButton(text, box);
     made->setToolTip(tip);
@@ -130,6 +134,10 @@ QWidget* WorklistPage::makeActions() {
   open_ =
       button(tr("Open"), tr("open the case to check it (Return, double click)"), [this] { openChosen(); });
   open_->setObjectName("primary");
+  whenTextScales(this, [this] {  // wide enough for both of its words
+    open_->ensurePolished();
+    open_->setMinimumWidth(open_->fontMetrics().horizontalAdvance(tr("Show series")) + sized(36));
+  });
   label_ = button(tr("Label\u2026"), tr("what you call the case here; kept with it, private to you (F2)"),
                   [this] { labelChosen(); });
   cancel_ = button(tr("Cancel"), tr("stop preparing; nothing half-done is kept (Del)"), [this] {
@@ -144,13 +152,17 @@ QWidget* WorklistPage::makeActions() {
   summary_ = new ElidedLabel(box);
   summary_->setObjectName("muted");
   for (auto* each : {open_, label_, cancel_, retry_, remove_}) row->addWidget(each);
+  row->addStretch(1);
+  auto* below = new QHBoxLayout;
   auto* by_patient = new QCheckBox(tr("label new cases with the patient's name"), box);
   by_patient->setToolTip(tr("from the DICOM files; a case holds no name unless this is on (remembered)"));
   by_patient->setChecked(queue_.labelsByPatient());
   connect(by_patient, &QCheckBox::toggled, &queue_, &PrepareQueue::setLabelsByPatient);
-  row->addSpacing(12);
-  row->addWidget(by_patient);
-  row->addWidget(summary_, 1);
+  below->addWidget(by_patient);
+  below->addSpacing(12);
+  below->addWidget(summary_, 1);
+  rows->addLayout(row);
+  rows->addLayout(below);
   return box;
 }
 
@@ -230,7 +242,7 @@ void WorklistPage::showMenu(const QPoint& at) {
     add(label_->text(), "F2", [this] { labelChosen(); });
   }
   for (auto* button : {cancel_, retry_, remove_})
-    if (!button->isHidden())
+    if (button->isEnabled())
       add(button->text(), button == retry_ ? "F5" : "Del", [button] { button->click(); });
   menu->addSeparator();
   if (is_case) add(tr("Delete\u2026"), "Del", [this] { removeChosen(); });
@@ -242,11 +254,12 @@ void WorklistPage::showState() {
   const auto* job = row && row->job_id ? queue_.job(row->job_id) : nullptr;
   const bool is_pending = job && (job->state == JobState::queued || job->state == JobState::preparing);
   open_->setEnabled(row != nullptr);
-  open_->setText(job ? tr("Show series") : tr("Open"));
-  label_->setVisible(row && row->can_be_labelled);
-  cancel_->setVisible(is_pending);
-  retry_->setVisible(job && !is_pending);
-  remove_->setVisible(job && !is_pending);
+  setWords(*open_, job ? tr("Show series") : tr("Open"));
+  // What does not apply is grey, not gone: no button takes the place of another under the mouse.
+  label_->setEnabled(row && row->can_be_labelled);
+  cancel_->setEnabled(is_pending);
+  retry_->setEnabled(job && !is_pending);
+  remove_->setEnabled(job && !is_pending);
   folder_->set(presenter_.folder());
   const int cases = int(presenter_.rows().size()) - int(queue_.jobs().size());
   summary_->set(QStringList{tr("cases: %1").arg(cases), queue_.summary()}.join(

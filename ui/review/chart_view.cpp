@@ -12,7 +12,9 @@ double scale() { return sized(100) / 100.0; }
 
 }  // namespace
 
-ChartView::ChartView(QWidget* parent) : QWidget(parent) { setMinimumSize(sized(200), sized(150)); }
+ChartView::ChartView(QWidget* parent) : QWidget(parent) {
+  whenTextScales(this, [this] { setMinimumSize(sized(200), sized(150)); });
+}
 
 void ChartView::set(Make make) {
   make_ = std::move(make);

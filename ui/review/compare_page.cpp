@@ -67,13 +67,15 @@ ComparePage::ComparePage(ReviewPresenter& presenter, QWidget* parent)
   table_->setColumnCount(3);
   table_->setHorizontalHeaderLabels({tr("target"), tr("figure"), tr("value")});
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(sized(30));
+  whenTextScales(this, [this] { table_->verticalHeader()->setDefaultSectionSize(sized(30)); });
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setShowGrid(false);
   table_->setAlternatingRowColors(true);
-  table_->setColumnWidth(0, sized(150));
-  table_->setColumnWidth(1, sized(260));
+  whenTextScales(this, [this] {
+    table_->setColumnWidth(0, sized(150));
+    table_->setColumnWidth(1, sized(260));
+  });
   table_->horizontalHeader()->setStretchLastSection(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -33,13 +33,13 @@ ReplayPage::ReplayPage(ReplayPresenter& presenter, CaseModel& model, QWidget* pa
       figures_(new QLabel(this)) {
   figures_->setObjectName("figures_text");
   makeNarrow(*figures_);
-  figures_->setMinimumHeight(sized(72));
+  whenTextScales(this, [this] { figures_->setMinimumHeight(sized(72)); });
   figures_->setToolTip(tr("as guidance.csv holds them for this frame"));
   auto* top = new QHBoxLayout;
   top->addWidget(scene_, 3);
   auto* side = new QVBoxLayout;
   for (auto* view : {left_, right_}) {
-    view->setMinimumSize(sized(120), sized(70));
+    whenTextScales(this, [view = view] { view->setMinimumSize(sized(120), sized(70)); });
     side->addWidget(view, 1);
   }
   side->addWidget(figures_);
@@ -75,7 +75,7 @@ QWidget* ReplayPage::makeControls() {
                  [this] { presenter_.step(-1); });
   play_ = button(tr("Play"), tr("play and pause, as fast as it was (Space)"),
                  [this] { presenter_.isPlaying() ? presenter_.pause() : presenter_.play(); });
-  play_->setMinimumWidth(sized(84));
+  whenTextScales(this, [this] { play_->setMinimumWidth(sized(84)); });
   forward_ = button(tr("|\u25b6"), tr("one frame on (Right; with Shift: %1)").arg(kLeap),
                     [this] { presenter_.step(1); });
   time_ = new QLabel(bar);

@@ -16,6 +16,7 @@
 #include "review/report_page.h"
 #include "review/sessions_panel.h"
 #include "shell/typed_number.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 
@@ -69,7 +70,7 @@ QWidget* ReviewWorkspace::makeHead() {
     button->setToolTip(tips[i]);
     button->setShortcut(QKeySequence(Qt::ALT + Qt::Key_1 + i));
     button->ensurePolished();
-    button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+    leaveRoomForBold(*button);
     tabs_->addButton(button, i);
     row->addWidget(button);
   }

@@ -42,7 +42,7 @@ void arrange(QTableView& view) {
   view.setAlternatingRowColors(true);
   view.setTabKeyNavigation(false);
   view.verticalHeader()->hide();
-  view.verticalHeader()->setDefaultSectionSize(sized(28));
+  whenTextScales(&view, [&view] { view.verticalHeader()->setDefaultSectionSize(sized(28)); });
   view.horizontalHeader()->setHighlightSections(false);
 }
 
@@ -87,12 +87,12 @@ void SessionsPanel::makeSessions() {
                           tr("time outside the tolerance, with losses, min:s"),
                           tr("error of the alignment at the target: 95 % of such alignments are within, mm")};
   for (int i = 0; i < names.size(); ++i) sessions_->horizontalHeaderItem(i)->setToolTip(tips[i]);
-  sessions_->horizontalHeader()->setMinimumSectionSize(sized(30));
+  whenTextScales(this, [this] { sessions_->horizontalHeader()->setMinimumSectionSize(sized(30)); });
   sessions_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   sessions_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   sessions_->setSelectionMode(QAbstractItemView::SingleSelection);
   sessions_->setAccessibleName(tr("sessions"));
-  sessions_->setMinimumSize(sized(240), sized(90));
+  whenTextScales(this, [this] { sessions_->setMinimumSize(sized(240), sized(90)); });
   connect(sessions_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!is_filling_ && row >= 0) presenter_.choose(sessions_->item(row, 0)->data(Qt::UserRole).toString());
   });
@@ -107,12 +107,14 @@ void SessionsPanel::makePulses() {
   pulses_->sortByColumn(PulseTable::kNumber, Qt::AscendingOrder);
   pulses_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   pulses_->setAccessibleName(tr("pulses"));
-  pulses_->setMinimumSize(sized(240), sized(110));
+  whenTextScales(this, [this] { pulses_->setMinimumSize(sized(240), sized(110)); });
   pulses_->setToolTip(tr("click a heading to sort; double click an MEP to type it"));
-  pulses_->horizontalHeader()->setDefaultSectionSize(sized(76));
-  pulses_->setColumnWidth(PulseTable::kNumber, sized(56));
-  pulses_->setColumnWidth(PulseTable::kState, sized(104));
-  pulses_->setColumnWidth(PulseTable::kTarget, sized(110));
+  whenTextScales(this, [this] {
+    pulses_->horizontalHeader()->setDefaultSectionSize(sized(76));
+    pulses_->setColumnWidth(PulseTable::kNumber, sized(56));
+    pulses_->setColumnWidth(PulseTable::kState, sized(104));
+    pulses_->setColumnWidth(PulseTable::kTarget, sized(110));
+  });
   pulses_->horizontalHeader()->setStretchLastSection(true);
   connect(pulses_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) {
@@ -177,11 +179,12 @@ QWidget* SessionsPanel::makeEdits() {
   column->setContentsMargins(0, 0, 0, 0);
   auto* fields = new QHBoxLayout;
   reason_ = new QLineEdit(box);
-  reason_->setPlaceholderText(tr("reason to exclude the chosen pulses"));
+  reason_->setPlaceholderText(tr("reason to exclude them"));
+  reason_->setToolTip(tr("why the chosen pulses do not count; kept with the change"));
   by_ = new QLineEdit(box);
   by_->setPlaceholderText(tr("by"));
   by_->setToolTip(tr("your name or initials; kept with the change"));
-  by_->setMaximumWidth(sized(90));
+  whenTextScales(this, [this] { by_->setMaximumWidth(sized(90)); });
   fields->addWidget(reason_, 1);
   fields->addWidget(by_);
   auto* buttons = new QHBoxLayout;

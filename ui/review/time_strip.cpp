@@ -15,8 +15,10 @@ const QColor kOnTarget(84, 178, 255), kAdjust(255, 160, 51), kLost(153, 158, 166
 }  // namespace
 
 TimeStrip::TimeStrip(ReplayPresenter& presenter, QWidget* parent) : QWidget(parent), presenter_(presenter) {
-  setFixedHeight(sized(44));
-  setMinimumWidth(sized(200));
+  whenTextScales(this, [this] {
+    setFixedHeight(sized(44));
+    setMinimumWidth(sized(200));
+  });
   setToolTip(
       tr("tall blue: on target; half as tall, orange: to be adjusted; thin grey: lost. Ticks below: pulses, "
          "thick "

@@ -13,11 +13,6 @@ using Step = steps::SetupStep;
 
 const char* const kBoard = "setup/board";
 const char* const kSquare = "setup/square_mm";
-const char* const kSize = "setup/size";
-
-QString stableNameOf(const capture::FoundCamera& camera) {
-  return QString::fromStdString(capture::stableName(camera.identity));
-}
 
 std::string utcNow() {
   const std::time_t now = std::time(nullptr);
@@ -36,7 +31,7 @@ QSize sizeOf(const QString& text) {
 SetupPresenter::SetupPresenter(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks) {
   const QSettings settings;
-  size_ = settings.value(kSize, sizes().first()).toString();
+  size_ = settings.value("setup/size", sizes().first()).toString();
   const QSize corners = sizeOf(settings.value(kBoard, "9x6").toString());
   if (corners.width() >= 3 && corners.height() >= 3) {
     board_.columns = corners.width();
@@ -47,103 +42,6 @@ SetupPresenter::SetupPresenter(const Services& services, TaskRunner& tasks, QObj
 }
 
 SetupPresenter::~SetupPresenter() = default;
-
-QStringList SetupPresenter::sizes() { return {"1280x720", "1920x1080", "640x480", "1024x1024"}; }
-
-void SetupPresenter::lookForCameras() {
-  if (!services_.listCameras || tasks_.isRunning()) return;
-  tasks_.start(tr("Looking for cameras"), [this](TaskMonitor&) -> TaskRunner::Delivery {
-    auto found = services_.listCameras(capture::Search::everywhere);
-    return [this, found = std::move(found)] {
-      devices_ = found;
-      const auto is_there = [&](const QString& name) {
-        return std::any_of(devices_.begin(), devices_.end(),
-                           [&](const auto& device) { return stableNameOf(device) == name; });
-      };
-      if (!is_there(left_)) left_.clear();
-      if (!is_there(right_)) right_.clear();
-      if (left_.isEmpty() && right_.isEmpty() && devices_.size() == 2) {
-        left_ = stableNameOf(devices_[0]);
-        right_ = stableNameOf(devices_[1]);
-      }
-      emit changed();
-    };
-  });
-}
-
-QString SetupPresenter::deviceWords() const {
-  const auto advice = capture::adviceOn(devices_);
-  return advice.empty() ? QString() : QString::fromStdString(advice.front());
-}
-
-void SetupPresenter::choose(const QString& left, const QString& right) {
-  left_ = left;
-  right_ = right;
-  emit changed();
-}
-
-void SetupPresenter::swapSides() {
-  std::swap(left_, right_);
-  if (isOpen() && opened_rig_.isEmpty())
-    open();  // pictures taken with exchanged sides are invalid
-  else
-    emit changed();
-}
-
-bool SetupPresenter::canOpen() const {
-  return !left_.isEmpty() && !right_.isEmpty() && left_ != right_ && services_.openNewCameras &&
-         !tasks_.isRunning();
-}
-
-void SetupPresenter::open() {
-  if (!canOpen()) return;
-  QSettings().setValue(kSize, size_);
-  const QSize size = sizeOf(size_);
-  opened_rig_.clear();
-  tasks_.start(tr("Opening the cameras: they adjust to the light"),
-               [this, left = left_.toStdString(), right = right_.toStdString(), size,
-                old = std::exchange(setup_, nullptr)](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 old.reset();  // first, because a camera can be opened only once
-                 auto pair = std::make_shared<NewCameras>(
-                     services_.openNewCameras(left, right, size.width(), size.height()));
-                 return [this, pair] {
-                   left_camera_ = pair->left;
-                   right_camera_ = pair->right;
-                   begin(std::move(pair->source), std::nullopt);
-                 };
-               });
-}
-
-QStringList SetupPresenter::rigNames() const {
-  QStringList names;
-  if (services_.listRigs)
-    for (const auto& entry : services_.listRigs())
-      if (entry.rig && entry.rig->left) names << QString::fromStdString(entry.name);
-  return names;
-}
-
-void SetupPresenter::openKept(const QString& name) {
-  if (tasks_.isRunning() || !services_.listRigs || !services_.openRig) return;
-  std::optional<capture::NamedRig> rig;
-  for (const auto& entry : services_.listRigs())
-    if (entry.name == name.toStdString()) rig = entry.rig;
-  if (!rig || !rig->left)
-    return emit refused(tr("there is no rig called %1 that knows its cameras").arg(name));
-  tasks_.start(
-      tr("Opening the cameras"),
-      [this, rig = *rig, old = std::exchange(setup_, nullptr)](TaskMonitor&) mutable -> TaskRunner::Delivery {
-        old.reset();
-        auto source = std::make_shared<std::unique_ptr<capture::FrameSource>>(services_.openRig(rig, {}));
-        return [this, rig, source] {
-          left_camera_ = rig.left;
-          right_camera_ = rig.right;
-          name_ = opened_rig_ = QString::fromStdString(rig.name);
-          noted_.clear();
-          begin(std::move(*source), rig.rig);
-          go(Step::check);
-        };
-      });
-}
 
 void SetupPresenter::begin(std::unique_ptr<capture::FrameSource> source,
                            std::optional<cameras::StereoRig> rig) {
@@ -176,9 +74,7 @@ void SetupPresenter::go(Step step) {
 }
 
 QString SetupPresenter::sentence() const {
-  if (!setup_)
-    return deviceWords().isEmpty() ? tr("choose the left and the right camera, and open them")
-                                   : deviceWords();
+  if (!setup_) return choiceWords();
   const auto now = view();
   if (!now->frame && now->failure.empty()) return tr("waiting for the first picture");
   QString words = QString::fromStdString(now->sentence);
@@ -278,6 +174,7 @@ bool SetupPresenter::keep(bool replaces) {
   try {
     services_.keepRig(named(), replaces ? Existing::replace : Existing::refuse);
   } catch (const Error& error) {
+    faults_[SetupField::name] = QString::fromUtf8(error.what());
     emit refused(QString::fromUtf8(error.what()));
     return false;
   }

@@ -2,6 +2,7 @@
 // SetupPresenter: the set-up of a camera pair in four steps (setup/rig_setup.h): which two cameras, the
 // steps, and the rig that is kept under a name at the end. A kept rig is opened at its check.
 
+#include <QMap>
 #include <QObject>
 #include <QStringList>
 #include <memory>
@@ -9,11 +10,15 @@
 
 #include "facenav/coil_library/coil_library.h"
 #include "facenav/setup/rig_setup.h"
+#include "facenav/setup/settle_camera.h"
 #include "shell/asynchronous_shutdown.h"
 #include "shell/services.h"
 #include "shell/task_runner.h"
 
 namespace facenav::ui {
+
+/// Fields of the set-up that can be filled in wrongly.
+enum class SetupField { left, right, size, name };
 
 class SetupPresenter : public QObject {
   Q_OBJECT
@@ -27,12 +32,16 @@ class SetupPresenter : public QObject {
   const std::vector<capture::FoundCamera>& devices() const { return devices_; }
   /// Notes on the connected cameras, or what to do; empty if there are none.
   QString deviceWords() const;
+  /// Stable name of a camera, or an address as typed.
   QString left() const { return left_; }
   QString right() const { return right_; }
+  /// What is wrong in this field, or was when the cameras were opened or kept; empty if nothing is.
+  QString trouble(SetupField field) const;
   void choose(const QString& left, const QString& right);
   void swapSides();
   static QStringList sizes();
-  void chooseSize(const QString& size) { size_ = size; }
+  /// Takes a size as listed or typed: "1280x720".
+  void chooseSize(const QString& size);
   QString chosenSize() const { return size_; }
   bool canOpen() const;
   void open();
@@ -64,7 +73,10 @@ class SetupPresenter : public QObject {
 
   // Keep.
   QString name() const { return name_; }
-  void setName(const QString& name) { name_ = name; }
+  void setName(const QString& name) {
+    name_ = name;
+    faults_.remove(SetupField::name);
+  }
   /// Saves the calibration if its check passes. `replaces`: a rig of this name is replaced.
   bool keep(bool replaces);
   bool isKept() const { return is_kept_; }
@@ -94,6 +106,9 @@ class SetupPresenter : public QObject {
   void kept(const QString& name);
 
  private:
+  QString choiceWords() const;
+  void takeDevices(std::vector<capture::FoundCamera> found);
+  void blame(const steps::PairError& error);
   void begin(std::unique_ptr<capture::FrameSource> source, std::optional<cameras::StereoRig> rig);
   const coil_library::LibraryCoil* coil() const;
   capture::NamedRig named() const;
@@ -104,6 +119,7 @@ class SetupPresenter : public QObject {
   QString left_, right_, size_, name_, coil_name_;
   cameras::Board board_{9, 6, 25.0};
   std::optional<capture::RigCamera> left_camera_, right_camera_;
+  QMap<SetupField, QString> faults_;  // found when the cameras were opened or kept
   std::vector<coil_library::LibraryCoil> coils_;
   std::shared_ptr<steps::RigSetup> setup_;
   steps::SetupStep step_ = steps::SetupStep::place;

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "setup/board_screen.h"
+#include "setup/camera_fields.h"
 #include "shell/narrow_label.h"
-#include "treat/camera_choice.h"
 
 namespace facenav::ui {
 namespace {
@@ -72,16 +72,8 @@ QLabel* SetupTools::addWords(QVBoxLayout& column, const QString& text, const cha
 
 void SetupTools::makeCameras() {
   auto* column = addPage();
-  auto* form = new QFormLayout;
-  left_ = narrowBox(this, tr("the camera on the left, seen from behind the pair, facing the patient"));
-  right_ = narrowBox(this, tr("the camera on the right, seen from behind the pair, facing the patient"));
-  size_ = narrowBox(this, tr("of the pictures; both cameras must have it"));
-  size_->addItems(SetupPresenter::sizes());
-  size_->setCurrentText(presenter_.chosenSize());
-  form->addRow(tr("left"), left_);
-  form->addRow(tr("right"), right_);
-  form->addRow(tr("size"), size_);
-  column->addLayout(form);
+  cameras_ = new CameraFields(presenter_, this);
+  column->addWidget(cameras_);
   open_ = addButton(*column, tr("Open the cameras"), tr("they adjust to the light, then they are locked"));
   auto* swap = addButton(*column, tr("Swap left and right"), tr("if the pictures are on the wrong sides"));
   auto* again = addButton(*column, tr("Look again"), tr("which cameras are plugged in"));
@@ -95,10 +87,6 @@ void SetupTools::makeCameras() {
   connect(swap, &QPushButton::clicked, &presenter_, &SetupPresenter::swapSides);
   connect(again, &QPushButton::clicked, &presenter_, &SetupPresenter::lookForCameras);
   connect(open_kept_, &QPushButton::clicked, this, [this] { presenter_.openKept(kept_->currentText()); });
-  connect(size_, &QComboBox::currentTextChanged, &presenter_, &SetupPresenter::chooseSize);
-  for (auto* box : {left_, right_})
-    connect(box, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { presenter_.choose(left_->currentData().toString(), right_->currentData().toString()); });
 }
 
 void SetupTools::makeBoard() {
@@ -146,6 +134,7 @@ void SetupTools::makeCheck() {
   name_ = new QLineEdit(presenter_.name(), this);
   name_->setMaxLength(64);
   column->addWidget(name_);
+  name_trouble_ = addWords(*column, {}, "fault");
   keep_ = addButton(*column, tr("Keep it"), tr("cameras, settings, calibration and this check"));
   keep_->setObjectName("primary");
   kept_words_ = addWords(*column, {}, "plain");
@@ -186,8 +175,7 @@ void SetupTools::makeCoil() {
 }
 
 void SetupTools::fillDevices() {
-  listCameras(*left_, presenter_.devices(), presenter_.left());
-  listCameras(*right_, presenter_.devices(), presenter_.right());
+  cameras_->refresh();
   const QSignalBlocker block(kept_);
   const QString was = kept_->currentText();
   kept_->clear();
@@ -226,6 +214,8 @@ void SetupTools::refresh() {
   keep_->setEnabled(view->step == Step::check && view->is_done && !presenter_.isKept());
   kept_words_->setText(
       presenter_.isKept() ? tr("kept as %1; go on to the coil, or close").arg(presenter_.name()) : QString());
+  name_trouble_->setText(presenter_.trouble(SetupField::name));
+  name_trouble_->setVisible(!name_trouble_->text().isEmpty());
   repair_->setVisible(view->needs_repair);
   pivot_->setEnabled(is_calibrated);
   wave_->setEnabled(is_calibrated);

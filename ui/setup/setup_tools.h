@@ -16,6 +16,8 @@ class QVBoxLayout;
 
 namespace facenav::ui {
 
+class CameraFields;
+
 class SetupTools : public QStackedWidget {
   Q_OBJECT
 
@@ -40,11 +42,12 @@ class SetupTools : public QStackedWidget {
   void chooseJig();
 
   SetupPresenter& presenter_;
-  QComboBox *left_, *right_, *size_, *kept_, *coil_;
+  CameraFields* cameras_;
+  QComboBox *kept_, *coil_;
   QSpinBox *columns_, *rows_;
   QDoubleSpinBox* square_;
   QLineEdit* name_;
-  QLabel *device_words_, *views_, *result_, *kept_words_, *coil_words_;
+  QLabel *device_words_, *name_trouble_, *views_, *result_, *kept_words_, *coil_words_;
   QPushButton *open_, *open_kept_, *finish_, *more_, *repeat_, *keep_, *repair_, *pivot_, *keep_coil_, *wave_;
 };
 

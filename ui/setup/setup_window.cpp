@@ -98,7 +98,7 @@ void SetupWindow::makeMiddle(QVBoxLayout& column) {
   pictures->addWidget(progress_);
   row->addLayout(pictures, 1);
   tools_ = new SetupTools(presenter_, this);
-  auto* side = new ScrollColumn(tools_, sized(kToolsWidth_px), this);
+  auto* side = new ScrollColumn(tools_, kToolsWidth_px, this);
   row->addWidget(side);
   column.addLayout(row, 1);
 }

@@ -57,6 +57,22 @@ double rememberedTextScale() {
 
 void rememberTextScale(double text_scale) { QSettings().setValue(kRememberedTextScale, text_scale); }
 
+TextScaleNotice& TextScaleNotice::instance() {
+  static TextScaleNotice notice;
+  return notice;
+}
+
+void whenTextScales(QObject* owner, std::function<void()> apply) {
+  apply();
+  QObject::connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, owner, std::move(apply));
+}
+
+void changeTextScale(QApplication& application, double text_scale) {
+  if (text_scale == textScale()) return;
+  applyAppearance(application, text_scale);
+  emit TextScaleNotice::instance().changed();
+}
+
 int sized(int usual_px) {
   const QScreen* screen = QApplication::primaryScreen();
   const double dots = screen ? screen->logicalDotsPerInch() / 96.0 : 1.0;

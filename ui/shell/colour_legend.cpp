@@ -7,7 +7,7 @@
 namespace facenav::ui {
 
 ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(sized(150), sized(38));
+  whenTextScales(this, [this] { setMinimumSize(sized(150), sized(38)); });
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setToolTip(tr("colour of the pulses: dark is the least value, bright the largest; grey: not known"));
 }

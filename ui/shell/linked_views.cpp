@@ -31,6 +31,11 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
   scene_column_->addWidget(scene_view_, 1);
   grid->addWidget(scene_box_, 1, 1);
   for (int i = 0; i < 2; ++i) grid->setRowStretch(i, 1), grid->setColumnStretch(i, 1);
+  whenTextScales(this, [this] {
+    if (!slice_scene_) return;
+    slice_scene_->text_scale = sized(100) / 100.0;
+    refreshSlices();
+  });
   for (auto* view : slices_) {
     connect(view, &SliceView::crosshairMoved, this, [this](double x, double y, double z) {
       setCrosshair({x, y, z});
@@ -43,6 +48,9 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent), scene_view_(new Sce
   auto* reset = new QShortcut(Qt::Key_R, this);
   reset->setWhatsThis(tr("the slices as they were at first: whole, usual brightness"));
   connect(reset, &QShortcut::activated, this, &LinkedViews::resetSlices);
+  connect(scene_view_, &SceneView::placeWanted, this, [this](double x, double y, double z) {
+    setCrosshair({x, y, z});
+  });
   connect(scene_view_, &SceneView::picked, this, [this](double x, double y, double z, bool is_brain) {
     setCrosshair({x, y, z});
     emit chosen(x, y, z, !is_brain);

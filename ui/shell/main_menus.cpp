@@ -144,13 +144,13 @@ void MainWindow::addViewMenu() {
       Qt::CTRL + Qt::SHIFT + Qt::Key_S);
 }
 
-/// Widths are laid out for one size of text, so another size holds from the next start on.
+/// The sizes of text; another one holds at once, and at the next start.
 void MainWindow::addTextSizes(QMenu& sizes) {
   auto* group = new QActionGroup(&sizes);
   for (const int percent : {75, 100, 125, 150, 200, 300}) {
     auto* action = sizes.addAction(tr("%1 %").arg(percent), this, [this, percent] {
       rememberTextScale(percent / 100.0);
-      task_bar_->showMessage(tr("text of %1 % from the next start on").arg(percent), false);
+      changeTextScale(*qApp, percent / 100.0);
     });
     action->setCheckable(true);
     action->setChecked(std::lround(100 * rememberedTextScale()) == percent);

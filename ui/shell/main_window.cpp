@@ -176,7 +176,7 @@ QWidget* MainWindow::makeNavigation() {
     button->setToolTip(tips[i]);
     button->setCheckable(true);
     button->setShortcut(QKeySequence(Qt::CTRL + Qt::Key_1 + i));
-    button->setFixedSize(sized(84), sized(68));
+    whenTextScales(button, [button] { button->setFixedSize(sized(84), sized(68)); });
     navigation_->addButton(button, i);
     column->addWidget(button);
   }

@@ -5,7 +5,9 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QContextMenuEvent>
 #include <QElapsedTimer>
+#include <QMetaMethod>
 #include <QMouseEvent>
 #include <QPainter>
 #include <utility>
@@ -25,7 +27,10 @@ SceneView::SceneView(QWidget* parent)
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
-  scene_->setTextScale(sized(100) / 100.0);
+  whenTextScales(this, [this] {
+    scene_->setTextScale(sized(100) / 100.0);
+    if (isVisible()) refresh();
+  });
   scene_->attach(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor()->SetInteractorStyle(style);
@@ -41,7 +46,9 @@ SceneView::SceneView(QWidget* parent)
   line_->installEventFilter(this);
   line_->hide();
   setMinimumSize(200, 160);
-  setToolTip(tr("left: rotate   middle: pan   right: zoom   click: choose a point"));
+  setToolTip(
+      tr("left: rotate   middle: pan   right: zoom   click: choose a point   right click: "
+         "menu"));
 }
 
 SceneView::~SceneView() = default;
@@ -109,7 +116,32 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
 /// Keeps keys from VTK, whose letters would draw wires or close the program; the page handles them.
 bool SceneView::event(QEvent* event) {
   const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+  if (event->type() == QEvent::ContextMenu) {
+    if (static_cast<QContextMenuEvent*>(event)->reason() != QContextMenuEvent::Mouse)
+      openViewMenu(*this, rect().center(), offersAt(rect().center()));
+    return true;
+  }
   return is_key ? QWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+}
+
+std::optional<scene::ScenePick> SceneView::pickAt(const QPoint& position) const {
+  const double ratio = devicePixelRatioF();
+  return scene_->pick(int(position.x() * ratio), int((height() - 1 - position.y()) * ratio));
+}
+
+ViewOffers SceneView::offersAt(const QPoint& position) {
+  ViewOffers offers;
+  if (const auto pick = pickAt(position)) {
+    offers.place = pick->point;
+    if (isSignalConnected(QMetaMethod::fromSignal(&SceneView::placeWanted)))
+      offers.goTo = [this, mm = pick->point.mm] { emit placeWanted(mm.x(), mm.y(), mm.z()); };
+  }
+  offers.reset = [this] {
+    scene_->setView(scene::ViewPreset::target);
+    refresh();
+    emit turned();
+  };
+  return offers;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
@@ -146,11 +178,12 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  if (event->button() != Qt::LeftButton || (event->pos() - pressed_at_).manhattanLength() > 3) return;
-  const double ratio = devicePixelRatioF();
-  const auto pick =
-      scene_->pick(int(event->pos().x() * ratio), int((height() - 1 - event->pos().y()) * ratio));
-  if (pick) emit picked(pick->point.mm.x(), pick->point.mm.y(), pick->point.mm.z(), pick->is_brain);
+  const bool is_click = (event->pos() - pressed_at_).manhattanLength() <= kClickReach_px;
+  if (is_click && event->button() == Qt::RightButton)
+    return openViewMenu(*this, event->pos(), offersAt(event->pos()));
+  if (!is_click || event->button() != Qt::LeftButton) return;
+  if (const auto pick = pickAt(event->pos()))
+    emit picked(pick->point.mm.x(), pick->point.mm.y(), pick->point.mm.z(), pick->is_brain);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {

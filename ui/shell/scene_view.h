@@ -11,6 +11,7 @@
 
 #include "facenav/scene/navigation_scene.h"
 #include "shell/case_model.h"
+#include "shell/view_menu.h"
 
 namespace facenav::ui {
 
@@ -36,6 +37,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setDrawing(bool is_drawing);
   /// The current projection.
   scene::SceneProjection projection() const { return scene_->projection(width(), height()); }
+  /// What its menu offers at a place in the view: the surface there, if there is one.
+  ViewOffers offersAt(const QPoint& position);
 
  signals:
   /// turned: the user moved the camera. drawn: the view was rendered.
@@ -44,6 +47,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   /// The user drew a closed line of at least three corners; x right, y up, each -1..1, as in projection().
   void outlineDrawn(const std::vector<Eigen::Vector2d>& outline);
   void picked(double x_mm, double y_mm, double z_mm, bool is_brain);
+  /// The user asks, in the menu, to move the crosshair here.
+  void placeWanted(double x_mm, double y_mm, double z_mm);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -58,6 +63,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::unique_ptr<scene::NavigationScene> scene_;
   bool drawsQuickly(bool is_skin_shown);
   void refreshQuickly(bool is_skin_shown);
+  std::optional<scene::ScenePick> pickAt(const QPoint& position) const;
 
   QWidget* line_;  // drawn over the image
   QPolygon outline_;

@@ -28,12 +28,12 @@ QString keepScreenshot(QWidget& window) {
   const QPixmap picture = window.grab();  // before the dialog covers it
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString name = QDateTime::currentDateTime().toString("'facenav' yyyy-MM-dd HH.mm.ss'.png'");
-  const QString path = QFileDialog::getSaveFileName(
-      &window, QObject::tr("Keep a picture of the window (it may show a patient)"),
-      QDir(folder).filePath(name), QObject::tr("Picture (*.png)"));
+  const QString path =
+      QFileDialog::getSaveFileName(&window, QObject::tr("Keep the picture (it may show a patient)"),
+                                   QDir(folder).filePath(name), QObject::tr("Picture (*.png)"));
   if (path.isEmpty()) return {};
   writePicture(picture, path);
-  return QObject::tr("picture of the window: %1").arg(path);
+  return QObject::tr("picture kept: %1").arg(path);
 }
 
 }  // namespace facenav::ui

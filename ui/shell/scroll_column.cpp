@@ -16,6 +16,7 @@ ScrollColumn::ScrollColumn(QWidget* content, int width_px, QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   setWidgetResizable(true);
   setWidget(content);
+  whenTextScales(this, [this] { updateGeometry(); });
   for (QWidget* each : {content, viewport()})
     each->setAutoFillBackground(false);  // the panel's background shows through
 }
@@ -26,7 +27,7 @@ QSize ScrollColumn::sizeHint() const {
 
 QSize ScrollColumn::minimumSizeHint() const {
   const int content_px = widget() ? widget()->minimumSizeHint().width() : 0;
-  return {std::max(least_width_px_, content_px + verticalScrollBar()->sizeHint().width()), sized(100)};
+  return {std::max(sized(least_width_px_), content_px + verticalScrollBar()->sizeHint().width()), sized(100)};
 }
 
 void ScrollColumn::bringIntoView(QWidget& widget) {

@@ -9,6 +9,7 @@
 
 #include "plan/dose_panel.h"
 #include "plan/overlays_panel.h"
+#include "shell/words_of_button.h"
 
 namespace facenav::ui {
 
@@ -56,7 +57,7 @@ QPushButton* ShownTools::addSwitch(const QString& words, const QString& tip, con
   button->setObjectName("tool");
   button->setCheckable(true);
   button->setToolTip(tip);
-  button->setMinimumWidth(button->sizeHint().width() + 16);  // room for bold text when chosen
+  leaveRoomForBold(*button);
   button->setChecked(QSettings().value(setting, is_on_at_first).toBool());
   connect(button, &QPushButton::toggled, this,
           [setting](bool is_on) { QSettings().setValue(setting, is_on); });

@@ -1,5 +1,6 @@
 #include "shell/slice_view.h"
 
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolButton>
@@ -32,7 +33,7 @@ SliceView::SliceView(volume::Anatomical orientation, QWidget* parent)
   setFocusPolicy(Qt::ClickFocus);
   setToolTip(
       tr("left: crosshair   wheel: slice   right: zoom   middle: pan   Ctrl+left: window/level   double "
-         "click: choose   R: zoom, pan and window as at first"));
+         "click: choose   R: zoom, pan and window as at first   right click: menu"));
   reset_->setText(tr("1:1"));
   reset_->setToolTip(tr("zoom, pan and window as at first, in all slices (R)"));
   connect(reset_, &QToolButton::clicked, this, &SliceView::resetWanted);
@@ -136,8 +137,24 @@ void SliceView::leaveEvent(QEvent*) {
   if (draws()) update();
 }
 
+ViewOffers SliceView::offersAt(const QPoint& position) {
+  ViewOffers offers;
+  if (!scene_ || !scene_->mri) return offers;
+  offers.place = pointAt(position);
+  offers.goTo = [this, at = *offers.place] { moveCrosshair(at); };
+  offers.reset = [this] { emit resetWanted(); };
+  return offers;
+}
+
+/// Opens the menu for the menu key; the mouse opens it where the right button is released without a drag.
+void SliceView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Mouse)
+    openViewMenu(*this, rect().center(), offersAt(rect().center()));
+}
+
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->pos();
+  pressed_at_ = event->pos();
   if (!scene_ || !scene_->mri || event->button() != Qt::LeftButton ||
       event->modifiers() & Qt::ControlModifier)
     return;
@@ -149,6 +166,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::RightButton && (event->pos() - pressed_at_).manhattanLength() <= kClickReach_px)
+    openViewMenu(*this, event->pos(), offersAt(event->pos()));
   if (!is_stroke_ || event->button() != Qt::LeftButton) return;
   is_stroke_ = false;
   tool_->release(plane());
@@ -170,6 +189,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   } else if (event->buttons() & Qt::LeftButton && !draws()) {
     moveCrosshair(pointAt(event->pos()));
   } else if (event->buttons() & Qt::RightButton) {
+    if ((event->pos() - pressed_at_).manhattanLength() <= kClickReach_px) return;
     zoom_ = std::clamp(zoom_ * (1.0 - 0.01 * step.y()), 0.5, 12.0);
     refresh();
   } else if (event->buttons() & Qt::MiddleButton) {

@@ -1,7 +1,7 @@
 #pragma once
 // SliceView: one anatomical plane through the crosshair. Left: crosshair, wheel: slice, right: zoom, middle:
-// pan, Ctrl+left: window and level, double click: choose a point, 1:1 (or R): reset zoom, pan and window. The
-// image comes from scene::SliceScene.
+// pan, Ctrl+left: window and level, double click: choose a point, 1:1 (or R): reset zoom, pan and window, a
+// click of the right button: menu. The image comes from scene::SliceScene.
 
 #include <QImage>
 #include <QPoint>
@@ -11,6 +11,7 @@
 
 #include "facenav/scene/slice_scene.h"
 #include "shell/slice_tool.h"
+#include "shell/view_menu.h"
 
 class QToolButton;
 
@@ -32,6 +33,8 @@ class SliceView : public QWidget {
   QStringList caption() const;
   /// Sets a tool, which must outlive the view; null: none. While it is active, the left button draws.
   void setTool(SliceTool* tool);
+  /// What its menu offers at a place in the view.
+  ViewOffers offersAt(const QPoint& position);
 
  signals:
   void crosshairMoved(double x_mm, double y_mm, double z_mm);
@@ -50,6 +53,7 @@ class SliceView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   bool draws() const { return tool_ && tool_->isActive(); }
@@ -65,7 +69,7 @@ class SliceView : public QWidget {
   bool is_outdated_ = true;
   double zoom_ = 1.0;
   Eigen::Vector2d pan_mm_ = Eigen::Vector2d::Zero();
-  QPoint last_, pointer_{-1, -1};
+  QPoint last_, pressed_at_, pointer_{-1, -1};
   SliceTool* tool_ = nullptr;
   QToolButton* reset_;
   bool is_stroke_ = false;

@@ -31,7 +31,7 @@ TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
   row->addWidget(words_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
-  bar_->setFixedWidth(sized(260));
+  whenTextScales(this, [this] { bar_->setFixedWidth(sized(260)); });
   bar_->setRange(0, 1000);
   cancel_->setToolTip(tr("stop this step; nothing half-done is kept (Esc)"));
   cancel_->setShortcut(Qt::Key_Escape);

@@ -30,7 +30,10 @@ WindowHeader::WindowHeader(QWidget* parent)
   case_words_->setObjectName("muted");
   markUsersWords(*case_words_);  // the label of the case
   timing_->setObjectName("muted");
-  timing_->setMinimumWidth(sized(170));
+  whenTextScales(this, [this] {
+    timing_->setMinimumWidth(sized(170));
+    if (isVisible()) fit();
+  });
   timing_->setToolTip(
       tr("from a frame's arrival to its figures; frames left out because a newer one was there"));
   row->addWidget(name_);

@@ -1,7 +1,9 @@
 #pragma once
-// Changes the text of a button.
+// Changes the text of a button, and leaves room for it.
 
 #include <QAbstractButton>
+
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 
@@ -11,6 +13,12 @@ inline void setWords(QAbstractButton& button, const QString& words) {
   const QKeySequence key = button.shortcut();
   button.setText(words);
   button.setShortcut(key);
+}
+
+/// Leaves room for bold letters, which some buttons have when they are chosen.
+inline void leaveRoomForBold(QAbstractButton& button) {
+  constexpr int kBold_px = 16;
+  whenTextScales(&button, [&button] { button.setMinimumWidth(button.sizeHint().width() + kBold_px); });
 }
 
 }  // namespace facenav::ui

@@ -14,7 +14,7 @@ BullsEyeView::BullsEyeView(QWidget* parent)
   window->SetMultiSamples(4);
   setRenderWindow(window);
   window->AddRenderer(bulls_eye_->renderer());
-  setMinimumSize(sized(180), sized(180));
+  whenTextScales(this, [this] { setMinimumSize(sized(180), sized(180)); });
   setToolTip(
       tr("Centre: the target. Cross: the coil, seen along the coil into the head, handle below. "
          "Stroke: tilt, one ring is 5 mm or 5\u00b0. Tick on the rim: twist."));

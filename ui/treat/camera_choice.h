@@ -1,5 +1,5 @@
 #pragma once
-// Fills a box for the choice of a camera.
+// Boxes for the choice of a camera: from the connected ones, or by an address that is typed.
 
 #include <QString>
 #include <vector>
@@ -10,9 +10,16 @@ class QComboBox;
 
 namespace facenav::ui {
 
+/// Lets an address be typed into the box: rtsp://.., /dev/video2, 2, a video, a folder of pictures.
+void letAddressBeTyped(QComboBox& box);
 /// Lists the devices by their words; an item's data is the camera's stable name. `chosen`: stable name of the
-/// selected camera; empty if none. Without devices the box shows that and is disabled. The box sends no
-/// signals meanwhile.
+/// selected camera, or an address as typed; empty if none. The box sends no signals meanwhile.
 void listCameras(QComboBox& box, const std::vector<capture::FoundCamera>& devices, const QString& chosen);
+/// The stable name of the selected camera, or the address as typed; empty if there is neither.
+QString chosenCamera(const QComboBox& box);
+/// True for an address, false for the stable name of a connected camera.
+bool isAddress(const QString& camera);
+/// Why nothing can be opened at an address, in words; empty if it may be, and for a connected camera.
+QString addressTrouble(const std::vector<capture::FoundCamera>& devices, const QString& camera);
 
 }  // namespace facenav::ui

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -83,7 +84,10 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);
-  for (auto* box : {left_, right_}) setNarrow(*box);
+  for (auto* box : {left_, right_}) {
+    setNarrow(*box);
+    letAddressBeTyped(*box);
+  }
   left_->setToolTip(tr("the camera on the left as seen from behind the pair, facing the patient"));
   right_->setToolTip(tr("the camera on the right as seen from behind the pair, facing the patient"));
   auto* again = button(tr("Look again"), tr("which cameras are plugged in"), Qt::Key_F5);
@@ -109,9 +113,14 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   connect(swap, &QPushButton::clicked, &cameras_, &CamerasPresenter::swapSides);
   connect(choose_rig, &QPushButton::clicked, this, &CamerasPanel::chooseRig);
   connect(open_, &QPushButton::clicked, &cameras_, &CamerasPresenter::open);
-  for (auto* box : {left_, right_})
-    connect(box, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { cameras_.choose(left_->currentData().toString(), right_->currentData().toString()); });
+  const auto choose = [this] {
+    const QString left = chosenCamera(*left_), right = chosenCamera(*right_);
+    if (left != cameras_.left() || right != cameras_.right()) cameras_.choose(left, right);
+  };
+  for (auto* box : {left_, right_}) {
+    connect(box, QOverload<int>::of(&QComboBox::activated), this, choose);
+    connect(box->lineEdit(), &QLineEdit::editingFinished, this, choose);
+  }
 }
 
 void CamerasPanel::addNamedRig(QGridLayout& grid) {

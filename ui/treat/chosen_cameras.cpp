@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "treat/camera_choice.h"
 
 namespace facenav::ui {
 namespace {
@@ -63,7 +64,8 @@ void ChosenCameras::lookEverywhere() {
 void ChosenCameras::use(std::vector<capture::FoundCamera> devices, bool has_network) {
   devices_ = std::move(devices);
   const auto kept = [&](const QString& name) {
-    return device(name) || (!has_network && isOfNetwork(name)) || devices_.empty() ? name : QString();
+    const bool is_seen = device(name) || isAddress(name) || (!has_network && isOfNetwork(name));
+    return is_seen || devices_.empty() ? name : QString();
   };
   QString left = named() ? left_ : kept(left_), right = named() ? right_ : kept(right_);
   if (left.isEmpty() && right.isEmpty() && devices_.size() == 2) {
@@ -189,14 +191,18 @@ QString ChosenCameras::rigWords(bool is_open) const {
 }
 
 QString ChosenCameras::words() const {
-  if (devices_.empty()) return tr("no camera found: plug two cameras in and look again, or open a recording");
-  if (devices_.size() < 2) return deviceWords();
+  const bool are_connected = !isAddress(left_) && !isAddress(right_);
+  if (devices_.empty() && are_connected)
+    return tr("no camera found: plug two cameras in and look again, or open a recording");
+  if (devices_.size() < 2 && are_connected) return deviceWords();
   for (const QString& name : {left_, right_})
     if (const auto* chosen = device(name); chosen && chosen->use != capture::FoundCamera::Use::free)
       return deviceWords();
   if (left_.isEmpty() || right_.isEmpty() || left_ == right_) return tr("choose two different cameras");
   if (!rig_) return tr("choose the calibration of these two cameras");
-  const QString advice = deviceWords();
+  for (const QString& name : {left_, right_})
+    if (const QString trouble = addressTrouble(devices_, name); !trouble.isEmpty()) return trouble;
+  const QString advice = are_connected ? deviceWords() : QString();
   return advice.isEmpty() ? tr("ready to be opened") : tr("ready to be opened; %1").arg(advice);
 }
 

@@ -80,9 +80,13 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     value->setAlignment(Qt::AlignCenter);
   }
   below_ = new QBoxLayout(QBoxLayout::TopToBottom);
-  place();
   column->addLayout(grid_, 1);
-  setMinimumWidth(sized(kLeastWidth_px));  // for the longest figures side by side
+  whenTextScales(this, [this] {
+    setMinimumWidth(sized(kLeastWidth_px));  // for the longest figures side by side
+    is_small_ = is_low_ = false;             // until the room is measured again
+    fitted_.clear();
+    place();
+  });
   predicted_->setObjectName("muted");
   predicted_->setAlignment(Qt::AlignCenter);
   predicted_->setToolTip(

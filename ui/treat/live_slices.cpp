@@ -18,6 +18,11 @@ LiveSlices::LiveSlices(QWidget* parent) : QWidget(parent) {
       for (auto* view : views_) view->refresh();
     });
   }
+  whenTextScales(this, [this] {
+    if (!scene_) return;
+    scene_->text_scale = sized(100) / 100.0;
+    for (auto* view : views_) view->refresh();
+  });
 }
 
 void LiveSlices::show(const LoadedCase& loaded) {

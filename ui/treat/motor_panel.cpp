@@ -51,11 +51,11 @@ QWidget* MotorPanel::makeAnswers() {
   auto* column = new QVBoxLayout(answers);
   column->setContentsMargins(0, 0, 0, 0);
   output_ = new QLineEdit(answers);
-  output_->setMaximumWidth(sized(70));
+  whenTextScales(this, [this] { output_->setMaximumWidth(sized(70)); });
   output_->setToolTip(tr("output that the stimulator is set to, %; kept with each pulse"));
   output_->setAccessibleName(tr("output, %"));
   mep_ = new QLineEdit(answers);
-  mep_->setMaximumWidth(sized(120));
+  whenTextScales(this, [this] { mep_->setMaximumWidth(sized(120)); });
   mep_->setToolTip(tr("peak-to-peak MEP of the pulse named below, uV; Enter keeps it"));
   mep_->setPlaceholderText(tr("MEP, uV"));
   question_ = new QLabel(answers);

@@ -20,8 +20,10 @@ OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidge
   reason_ = new QLineEdit(this);
   name_->setPlaceholderText(tr("your name"));
   reason_->setPlaceholderText(tr("reason"));
-  name_->setMaximumWidth(sized(170));
-  reason_->setMaximumWidth(sized(300));
+  whenTextScales(this, [this] {
+    name_->setMaximumWidth(sized(170));
+    reason_->setMaximumWidth(sized(300));
+  });
   name_->setToolTip(tr("who decides to treat; kept with the case"));
   reason_->setToolTip(tr("why it cannot wait for the sign-off; kept with the case"));
   override_ = new QPushButton(tr("Treat nevertheless"), this);

@@ -4,6 +4,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
@@ -57,8 +58,13 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
   column->addWidget(tabs_);
   auto* scrolled = new QWidget(this);
   scrolled->setLayout(bulls_eye_and_figures_);
-  column_ = new ScrollColumn(scrolled, sized(kFigures_px), this);
+  column_ = new ScrollColumn(scrolled, kFigures_px, this);
   column_->viewport()->installEventFilter(this);
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, [this] {
+    QTimer::singleShot(0, this, [this] {
+      if (isVisible()) arrange();
+    });
+  });
   column->addWidget(column_, 1);
   pulses_ = new PulseRow(treat, sounds, this);
   column->addWidget(pulses_);

@@ -97,8 +97,7 @@ QWidget* TreatWorkspace::makeSide() {
   side_ = new QStackedWidget(this);
   tools_ = new TreatSide(presenter_, motor_, check_, tip_, sounds_, *screens_, projector_, side_);
   side_->addWidget(tools_);
-  side_->addWidget(
-      new ScrollColumn(new CamerasPanel(presenter_, side_), sized(TreatSide::kFigures_px), side_));
+  side_->addWidget(new ScrollColumn(new CamerasPanel(presenter_, side_), TreatSide::kFigures_px, side_));
   return side_;
 }
 
@@ -154,10 +153,10 @@ void TreatWorkspace::makeChoices(QWidget* bar) {
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   coil_->setMinimumContentsLength(15);
   coil_->setAccessibleName(tr("coil"));
-  for (auto* choice : {coil_, target_}) {
-    choice->setMinimumWidth(sized(90));  // where text is large
-    markUsersWords(*choice);
-  }
+  for (auto* choice : {coil_, target_}) markUsersWords(*choice);
+  whenTextScales(this, [this] {
+    for (auto* choice : {coil_, target_}) choice->setMinimumWidth(sized(90));  // where text is large
+  });
 }
 
 void TreatWorkspace::connectSteps() {

@@ -30,7 +30,20 @@ bool isNamed(const CameraIdentity& camera, const std::string& text) {
 }
 
 bool isStreamAddress(const std::string& text) {
-  return text.find("://") != std::string::npos || std::filesystem::is_regular_file(text);
+  std::error_code ignored;
+  return text.find("://") != std::string::npos || std::filesystem::is_regular_file(text, ignored) ||
+         std::filesystem::is_directory(text, ignored);
+}
+
+/// Address without the prefix of a stream's stable name, or of a file's URL.
+std::string plainAddress(const std::string& text) {
+  for (const std::string prefix : {"stream:", "file://"})
+    if (text.rfind(prefix, 0) == 0) return plainAddress(text.substr(prefix.size()));
+  return text;
+}
+
+bool looksLikePath(const std::string& text) {
+  return text.find('/') != std::string::npos && text.rfind("/dev/", 0) != 0;
 }
 
 std::string whatIsThere(const std::vector<FoundCamera>& found) {
@@ -94,7 +107,8 @@ std::vector<FoundCamera> listCameras(const CameraBackends& backends, Search sear
   return all;
 }
 
-CameraIdentity findCamera(const std::vector<FoundCamera>& found, const std::string& text) {
+CameraIdentity findCamera(const std::vector<FoundCamera>& found, const std::string& typed) {
+  const std::string text = plainAddress(typed);
   std::vector<const FoundCamera*> fitting;
   for (const auto& camera : found)
     if (isNamed(camera.identity, text)) fitting.push_back(&camera);
@@ -102,6 +116,8 @@ CameraIdentity findCamera(const std::vector<FoundCamera>& found, const std::stri
   if (fitting.size() > 1)
     throw missing("several cameras are called so", text, "give the address of one: " + whatIsThere(found));
   if (isStreamAddress(text)) return {"stream", text, "", "", ""};
+  if (looksLikePath(text))
+    throw missing("there is no such file or folder", text, "check its name, or type a camera's address");
   throw missing("there is no such camera", text, whatIsThere(found));
 }
 

@@ -5,6 +5,7 @@
 
 #include "camera_reader.h"
 #include "facenav/core/number_text.h"
+#include "file_pair.h"
 #include "recording_frames.h"
 
 namespace facenav::capture {
@@ -180,6 +181,8 @@ std::unique_ptr<CameraPairSource> openCameraPair(const cameras::StereoRig& rig, 
   if (isSameCamera(left->identity(), right->identity()))
     throw Error("left and right are the same camera", inWords(left->identity()),
                 "choose two different cameras");
+  if (left->isFromFiles() && right->isFromFiles())
+    return openFilePair(rig, std::move(left), std::move(right), settings);
   return std::make_unique<LivePair>(rig, std::move(left), std::move(right), settings);
 }
 

@@ -16,6 +16,15 @@ bool startsWith(const std::string& bytes, const std::string& magic) {
   return bytes.compare(0, magic.size(), magic) == 0;
 }
 
+bool isFilm(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  static const std::array<std::string, 8> known = {".mkv",  ".avi", ".mp4", ".mov",
+                                                   ".webm", ".m4v", ".mpg", ".mpeg"};
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
 // Checks for the end marker, because decoders report success for a truncated file and fill the missing part
 // with grey or black.
 bool isTruncated(const std::string& bytes) {
@@ -46,6 +55,10 @@ cv::Mat readGrey(const std::filesystem::path& path) {
   } catch (const cv::Exception&) {
     image.release();
   }
+  if (image.empty() && isFilm(path))
+    throw Error("this is a film, not a picture", path.string(),
+                "give pictures; a film of the board goes to 'facenav rig new' as --left-camera or "
+                "--right-camera");
   if (image.empty())
     throw Error("image cannot be decoded", path.string(), "save it as PNG, JPEG, BMP or TIFF");
   if (image.depth() != CV_8U && image.depth() != CV_16U)

@@ -27,6 +27,7 @@ bool isEqual(const cv::Mat& a, const cv::Mat& b) {
 
 double PictureIntake::steadyTime(StampClock clock, double stamp_s, double arrival_s) {
   if (clock == StampClock::none) return arrival_s;
+  if (clock == StampClock::file) return stamp_s;
   if (clock == StampClock::device) {
     const double mapped_s = clock_.map(stamp_s, arrival_s);
     counts_.clock_steps = clock_.steps();
@@ -54,7 +55,7 @@ std::int64_t PictureIntake::number(std::int64_t sequence) {
 /// equal ones: these are uniform, and count as new.
 std::optional<CameraPicture> PictureIntake::accept(cv::Mat grey, std::int64_t sequence, StampClock clock,
                                                    double stamp_s, double arrival_s) {
-  if (isEqual(grey, last_) && !isUniform(grey)) {
+  if (clock != StampClock::file && isEqual(grey, last_) && !isUniform(grey)) {
     ++counts_.repeated;
     last_sequence_ = std::max(sequence, last_sequence_.value_or(sequence));
     return std::nullopt;

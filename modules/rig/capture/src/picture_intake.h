@@ -13,6 +13,7 @@ enum class StampClock {
   steady,  // the driver stamps with this computer's steady clock
   device,  // the driver stamps with a clock of its own
   none,    // no stamps: the arrival counts
+  file,    // the stamps of a file; its pictures all count, equal ones too
 };
 
 class PictureIntake {
@@ -20,8 +21,8 @@ class PictureIntake {
   void restart() { *this = {}; }
   void noteDamaged() { ++counts_.damaged; }
   void noteDropped(std::int64_t pictures) { counts_.dropped += pictures; }
-  /// Accepts a picture and adds its time; nullopt if it repeats the previous one. `stamp_s`: as the driver
-  /// gives it.
+  /// Accepts a picture and adds its time; nullopt if it repeats the previous one (live pictures only).
+  /// `stamp_s`: as the driver gives it.
   std::optional<CameraPicture> accept(cv::Mat grey, std::int64_t sequence, StampClock clock, double stamp_s,
                                       double arrival_s);
   const PictureCounts& counts() const { return counts_; }

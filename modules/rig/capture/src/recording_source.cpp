@@ -11,6 +11,7 @@ class RecordingSource : public FrameSource {
   }
   const cameras::StereoRig& rig() const override { return rig_; }
   std::optional<std::int64_t> frameCount() const override { return std::int64_t(frames_.numbers.size()); }
+  bool isFromFiles() const override { return true; }
   std::shared_ptr<const cameras::StereoFrame> next() override {
     auto pair = frames_.pairs->next();
     if (!pair) return nullptr;

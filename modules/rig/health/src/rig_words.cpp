@@ -13,6 +13,7 @@ namespace facenav::health {
 namespace {
 
 constexpr double kContradictionSigmas = 3.0;
+constexpr double kAbsurd = 0.1;  // share of a true length that no camera's motion makes of it
 
 }  // namespace
 
@@ -100,10 +101,25 @@ bool MeasuredLength::contradicts() const {
 }
 
 std::string MeasuredLength::words() const {
+  const double ratio = measured_mm / true_mm;
+  if (!(ratio > kAbsurd && ratio < 1 / kAbsurd))  // rays that hardly meet
+    return formatted("%s: cannot be measured with this calibration, %.2f mm true", what.c_str(), true_mm);
   const double off_mm = measured_mm - true_mm;
   return formatted(
       "%s: %.2f mm measured, %.2f mm true: %+.2f mm, %+.2f %% (+-%.2f mm if the calibration holds)",
       what.c_str(), measured_mm, true_mm, off_mm, 100 * off_mm / true_mm, sigma_mm);
+}
+
+std::string SquareDoubt::words() const {
+  if (is_same_everywhere)
+    return formatted(
+        "the rows fit, but the length does not, and by the same %+.1f %% at every distance: the squares "
+        "measure %.2f mm, not %.2f mm; measure one and give its size again",
+        100 * (fitting_mm / given_mm - 1), fitting_mm, given_mm);
+  return formatted(
+      "the rows fit, but the length does not: check the size of a square first (%.2f mm is given, %.2f mm "
+      "would fit); if it is right, a camera has turned sideways: calibrate again",
+      given_mm, fitting_mm);
 }
 
 bool CheckMotion::isEnough() const {
@@ -173,6 +189,7 @@ std::string RigVerification::words() const {
     case RigState::moved:
       break;
   }
+  if (square_doubt) return square_doubt->words();
   std::string words = "the cameras have moved against each other since their calibration (";
   if (turn_deg > 0) words += formatted("the right one turned by about %.2f deg, ", turn_deg);
   if (shift_mm > 0) words += formatted("moved by about %.1f mm, ", shift_mm);

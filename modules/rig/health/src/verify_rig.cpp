@@ -21,6 +21,12 @@ constexpr double kBoardPrintShare = 0.001,
 constexpr double kGrossLength = 0.1;           // relative: exchanged sides, not a knock
 // Relative change of scale that shows another focal length; a baseline 3 mm longer changes it by 0.5 %.
 constexpr double kOtherScale = 0.01;
+constexpr double kOtherDistance =
+    0.08;  // relative: less does not tell a turn from a wrong size of the squares
+// Spread of the lengths' ratios, as a share of how far they are off. Computed for the rig of the tests, whose
+// right camera turns by 0.1 to 1 deg, and a tilted board at 560 to 660 mm: 7 %; for a wrong size: 0.
+constexpr double kEvenShare = 0.02, kUnevenShare = 0.04;
+constexpr double kPictureNoises = 3.0;  // in standard errors by the pictures
 constexpr double kSwappedBetter = 0.2;  // residuals decrease to this share when the sides are exchanged
 
 double medianOf(std::vector<double> values) {
@@ -34,6 +40,26 @@ double meanOf(const std::vector<double>& values) {
   double sum = 0;
   for (double value : values) sum += value;
   return values.empty() ? 0.0 : sum / double(values.size());
+}
+
+double spreadOf(const std::vector<double>& values) {
+  const double mean = meanOf(values);
+  double squares = 0;
+  for (double value : values) squares += (value - mean) * (value - mean);
+  return values.empty() ? 0.0 : std::sqrt(squares / double(values.size()));
+}
+
+/// What explains lengths that are off. A wrong size of the squares changes all of them by one factor; a
+/// camera that turned sideways changes them by more the farther the board is, and the more it is tilted.
+enum class LengthsShow { either, size, turn };
+
+LengthsShow whatLengthsShow(const std::vector<double>& ratios, const std::vector<double>& distances_mm) {
+  const auto [nearest, farthest] = std::minmax_element(distances_mm.begin(), distances_mm.end());
+  if (ratios.size() < 2 || *farthest < (1 + kOtherDistance) * *nearest) return LengthsShow::either;
+  const double spread = spreadOf(ratios), off = std::abs(meanOf(ratios) - 1);
+  if (spread < kEvenShare * off) return LengthsShow::size;
+  return spread > kUnevenShare * off && spread > kPictureNoises * kLeastPictureShare ? LengthsShow::turn
+                                                                                     : LengthsShow::either;
 }
 
 double medianRow(const cameras::StereoRig& rig, const std::vector<Correspondence>& points, bool is_swapped) {
@@ -52,16 +78,20 @@ double medianRow(const cameras::StereoRig& rig, const std::vector<Correspondence
 struct RigVerifier::Implementation {
   Implementation(const cameras::StereoRig& calibrated, std::optional<cameras::Board> known_board,
                  SquareFinder marker_finder)
-      : rig(calibrated), board(std::move(known_board)), findMarker(std::move(marker_finder)), monitor(rig) {}
+      : rig(calibrated),
+        board(std::move(known_board)),
+        findMarker(std::move(marker_finder)),
+        monitor(rig),
+        rows(rig) {}
 
   cameras::StereoRig rig;
   std::optional<cameras::Board> board;
   SquareFinder findMarker;
-  RigMonitor monitor;
+  RigMonitor monitor, rows;  // rows: without the lengths
   RigVerification found;
   std::vector<Correspondence> points;
   std::vector<double> board_ratios, marker_ratios, left_squares, right_squares, turns_deg, shifts_mm, scales;
-  std::vector<double> ratio_errors, exchanged_errors;
+  std::vector<double> ratio_errors, exchanged_errors, board_distances_mm;
   double calibration_sigma = 0, marker_mm = 0, marker_print_mm = 0;
   std::optional<CheckPlace> first_board, first_marker;
   CheckMotion newest;  // from the first of its kind
@@ -72,6 +102,7 @@ struct RigVerifier::Implementation {
   void addMarker(const cameras::StereoFrame& frame);
   std::vector<MeasuredLength> lengths() const;
   RigState judge(const RigVerification& all, const RigEstimate& verdict) const;
+  std::optional<SquareDoubt> squareDoubt(const RigVerification& all) const;
   void addRatio(double ratio, double exchanged_ratio);
   bool isSwapped(const RigVerification& all) const;
   bool isOtherLens(double rms_px) const {
@@ -92,6 +123,7 @@ void RigVerifier::Implementation::addBoard(const cameras::StereoFrame& frame) {
   ++found.board_frames;
   const auto matches = correspondences(*pair);
   monitor.add(matches);
+  rows.add(matches);
   points.insert(points.end(), matches.begin(), matches.end());
   if (const auto square = squareOf(*pair, *board, rig)) monitor.add(*square);
   board_ratios.push_back(lengthRatio(*pair, rig));
@@ -100,6 +132,7 @@ void RigVerifier::Implementation::addBoard(const cameras::StereoFrame& frame) {
   const SingleView left = fitBoard(rig.left, pair->left_px, pair->board_mm),
                    right = fitBoard(rig.right, pair->right_px, pair->board_mm);
   follow(first_board, placeOf(left, *board));
+  board_distances_mm.push_back(left.camera_T_board.translation().z());
   left_squares.push_back(left.rms_px * left.rms_px);
   right_squares.push_back(right.rms_px * right.rms_px);
   scales.push_back(scaleChange(left, right, rig));
@@ -119,6 +152,7 @@ void RigVerifier::Implementation::addMarker(const cameras::StereoFrame& frame) {
   for (std::size_t i = 0; i < 4; ++i)
     corners.push_back({observation->left_px[i], observation->right_px[i], observation->sigma_px});
   monitor.add(corners);
+  rows.add(corners);
   points.insert(points.end(), corners.begin(), corners.end());
   monitor.add(*observation);
   follow(first_marker, placeOf(*observation, rig));
@@ -141,6 +175,18 @@ std::vector<MeasuredLength> RigVerifier::Implementation::lengths() const {
     all.push_back({"marker", marker_mm, marker_mm * meanOf(marker_ratios),
                    std::hypot(marker_mm * calibration_sigma, marker_print_mm)});
   return all;
+}
+
+/// Says whether the size given for the squares explains the board's length: not where rows or a marker of
+/// known size contradict the calibration, too.
+std::optional<SquareDoubt> RigVerifier::Implementation::squareDoubt(const RigVerification& all) const {
+  if (board_ratios.empty() || all.row_error_px > kGrossRows_px || rows.estimate().hasMoved())
+    return std::nullopt;
+  for (const auto& length : all.lengths)
+    if (length.contradicts() != (length.what == "board")) return std::nullopt;
+  const auto shown = whatLengthsShow(board_ratios, board_distances_mm);
+  if (shown == LengthsShow::turn) return std::nullopt;
+  return SquareDoubt{board->square_mm, board->square_mm * meanOf(board_ratios), shown == LengthsShow::size};
 }
 
 void RigVerifier::Implementation::addRatio(double ratio, double exchanged_ratio) {
@@ -201,6 +247,7 @@ RigVerification RigVerifier::result() const {
   all.scale_change = medianOf(self.scales);
   all.state = self.judge(all, verdict);
   if (all.state != RigState::moved) return all;
+  all.square_doubt = self.squareDoubt(all);
   // Large motions come from the board's poses; small ones from the monitor, which uses only what the rows
   // determine.
   const bool is_gross = all.row_error_px > kGrossRows_px && !self.turns_deg.empty();

@@ -86,7 +86,7 @@ std::string RecordOutcome::words() const {
   if (right_late_ms) text += formatted("; the right picture is %.1f ms later than the left", *right_late_ms);
   if (left_out > 0)
     text += formatted("; %lld pairs are missing: the disk was too slow", static_cast<long long>(left_out));
-  return text;
+  return missing.empty() ? text : text + "; " + missing;
 }
 
 RecordOutcome recordLive(capture::FrameSource& source, const RecordRequest& request, TaskMonitor& monitor) {
@@ -113,6 +113,7 @@ RecordOutcome recordLive(capture::FrameSource& source, const RecordRequest& requ
   if (!recorder.failure().empty()) throw Error(recorder.failure() + "; nothing was kept");
   outcome.frames = std::int64_t(recorder.written());
   outcome.left_out = std::int64_t(recorder.leftOut());
+  outcome.missing = source.missingPairs();
   outcome.seconds = so_far.length_s();
   if (outcome.seconds > 0) outcome.rate = double(so_far.frames - 1) / outcome.seconds;
   if (!so_far.late_ms.empty()) outcome.right_late_ms = median(so_far.late_ms);

@@ -1,6 +1,7 @@
 #include "facenav/setup/rig_setup.h"
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <mutex>
 #include <thread>
@@ -9,6 +10,11 @@
 #include "setup_steps.h"
 
 namespace facenav::steps {
+namespace {
+
+constexpr std::chrono::milliseconds kFileRest(30);  // between two looks at a frame that stays
+
+}  // namespace
 
 struct RigSetup::Implementation {
   Implementation(std::unique_ptr<capture::FrameSource> cameras, const SetupOptions& options,
@@ -18,7 +24,9 @@ struct RigSetup::Implementation {
         results(steps.results()) {}
 
   std::unique_ptr<capture::FrameSource> source;
-  SetupSteps steps;  // used only by the thread
+  SetupSteps steps;  // used only by the thread, as the next two
+  std::int64_t frames_read = 0;
+  bool has_ended = false;  // files: no pair is left
 
   mutable std::mutex mutex;  // guards all members below
   std::deque<std::function<void(SetupSteps&)>> orders;
@@ -28,21 +36,25 @@ struct RigSetup::Implementation {
   std::thread thread;
 
   void run();
+  std::shared_ptr<const cameras::StereoFrame> read(const SetupView& last);
+  void tellReading(SetupView& now) const;
   void order(std::function<void(SetupSteps&)> what) {
     const std::lock_guard lock(mutex);
     orders.push_back(std::move(what));
   }
-  void obey();
+  bool obey();
   void publish(const SetupView& next);
 };
 
-void RigSetup::Implementation::obey() {
+/// Carries out the orders; false if there are none.
+bool RigSetup::Implementation::obey() {
   std::deque<std::function<void(SetupSteps&)>> now;
   {
     const std::lock_guard lock(mutex);
     now.swap(orders);
   }
   for (const auto& what : now) what(steps);
+  return !now.empty();
 }
 
 void RigSetup::Implementation::publish(const SetupView& next) {
@@ -52,14 +64,45 @@ void RigSetup::Implementation::publish(const SetupView& next) {
   results = steps.results();
 }
 
+/// Returns the next frame. Files are read only as the step needs them, and stay at their last frame.
+std::shared_ptr<const cameras::StereoFrame> RigSetup::Implementation::read(const SetupView& last) {
+  const bool is_file = source->isFromFiles();
+  if (is_file && last.frame && (has_ended || !steps.wantsFrame())) {
+    std::this_thread::sleep_for(kFileRest);
+    return last.frame;
+  }
+  auto frame = source->next();
+  if (frame) {
+    ++frames_read;
+    return frame;
+  }
+  if (!is_file || !last.frame)
+    throw Error(is_file ? "the two files have no pair of pictures" : "the cameras gave no more picture", "",
+                is_file ? "choose others" : "open them again");
+  has_ended = true;
+  return last.frame;
+}
+
+/// Adds what was read of the files, and what they lack.
+void RigSetup::Implementation::tellReading(SetupView& now) const {
+  const std::string count = std::to_string(frames_read) + (frames_read == 1 ? " pair" : " pairs");
+  now.lines.push_back({true, count + (has_ended ? " read: the files are at their end" : " read so far")});
+  if (const std::string missing = source->missingPairs(); !missing.empty())
+    now.lines.push_back({false, missing});
+  if (has_ended && !now.is_done && steps.wantsFrame())
+    now.sentence = "the files are at their end: " + now.sentence;
+}
+
 void RigSetup::Implementation::run() {
   SetupView last;
   try {
     while (!is_stopped) {
-      const auto frame = source->next();
-      if (!frame) throw Error("the cameras gave no more picture", "", "open them again");
-      obey();
+      const bool had_ended = has_ended;
+      const auto frame = read(last);
+      const bool is_again = last.frame && frame == last.frame;
+      if (!obey() && is_again && has_ended == had_ended) continue;  // a file rests
       last = steps.look(frame, [this](const SetupView& waiting) { publish(waiting); });
+      if (source->isFromFiles()) tellReading(last);
       publish(last);
     }
   } catch (const std::exception& error) {

@@ -25,6 +25,10 @@ void keepLocked(const capture::CameraState& state, capture::CameraSettings& sett
 capture::RigCamera settledCamera(const capture::CameraBackends& backends,
                                  const capture::CameraIdentity& identity, capture::CameraSettings settings) {
   const auto camera = capture::openCamera(backends, identity);
+  if (camera->isFromFiles()) {
+    camera->configure(settings);
+    return {identity, settings};
+  }
   capture::CameraSettings adjusting = settings;
   adjusting.is_adjusting = true;
   camera->configure(adjusting);
@@ -35,12 +39,28 @@ capture::RigCamera settledCamera(const capture::CameraBackends& backends,
   return {identity, settings};
 }
 
+namespace {
+
+capture::RigCamera settledSide(const capture::CameraBackends& backends,
+                               const std::vector<capture::FoundCamera>& found, const std::string& name,
+                               const capture::CameraSettings& settings, bool is_left) {
+  try {
+    return settledCamera(backends, capture::findCamera(found, name), settings);
+  } catch (const capture::CameraError& error) {
+    throw PairError(error, is_left);
+  } catch (const Error& error) {
+    throw PairError({capture::CameraFault::refused, error.what(), "", ""}, is_left);
+  }
+}
+
+}  // namespace
+
 NewPair openNewPair(const capture::CameraBackends& backends, const std::string& left,
                     const std::string& right, const capture::CameraSettings& settings) {
   const auto found = capture::listCameras(backends);
   NewPair pair;
-  pair.left = settledCamera(backends, capture::findCamera(found, left), settings);
-  pair.right = settledCamera(backends, capture::findCamera(found, right), settings);
+  pair.left = settledSide(backends, found, left, settings, true);
+  pair.right = settledSide(backends, found, right, settings, false);
   cameras::StereoRig size;  // only the size is known yet
   size.width_px = settings.width_px;
   size.height_px = settings.height_px;

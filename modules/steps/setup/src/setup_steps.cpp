@@ -53,6 +53,8 @@ SetupView SetupSteps::look(const std::shared_ptr<const cameras::StereoFrame>& fr
   SetupView now;
   now.step = step_;
   now.frame = frame;
+  is_new_ = frame != seen_;
+  seen_ = frame;
   switch (step_) {
     case SetupStep::place:
       place(now);
@@ -70,6 +72,20 @@ SetupView SetupSteps::look(const std::shared_ptr<const cameras::StereoFrame>& fr
   return now;
 }
 
+bool SetupSteps::wantsFrame() const {
+  switch (step_) {
+    case SetupStep::place:
+      return false;
+    case SetupStep::calibrate:
+      return !is_calibrated_ || wants_more_;
+    case SetupStep::check:
+      return results_.rig && !(check_ && check_->result());
+    case SetupStep::coil:
+      return true;
+  }
+  return true;
+}
+
 void SetupSteps::place(SetupView& now) {
   const auto placed = placement_.judge(*now.frame);
   now.sentence = placed.words();
@@ -80,7 +96,7 @@ void SetupSteps::place(SetupView& now) {
 }
 
 void SetupSteps::addView(SetupView& now) {
-  const auto sight = collector_.add(*now.frame);
+  const auto sight = is_new_ ? collector_.add(*now.frame) : BoardSight{};
   now.left_marks = sight.left.px;
   now.right_marks = sight.right.px;
   if (sight.state == BoardSight::State::taken)
@@ -162,7 +178,7 @@ void SetupSteps::verify(SetupView& now) {
     check_ = std::make_unique<RigCheckRun>(*results_.rig, options_.board, options_.coil,
                                            methods_.make_coil_tracker);
   if (!check_->result()) {
-    const auto sight = check_->add(*now.frame);
+    const auto sight = is_new_ ? check_->add(*now.frame) : BoardSight{};
     now.left_marks = sight.left.px;
     now.right_marks = sight.right.px;
     const auto first = check_->firstPlace();
@@ -185,7 +201,7 @@ void SetupSteps::followCoil(SetupView& now) {
     return;
   }
   if (!coil_) coil_ = std::make_unique<CoilSetup>(*results_.rig, options_.coil, methods_.make_coil_tracker);
-  coil_->add(*now.frame);
+  if (is_new_) coil_->add(*now.frame);
   now.sentence = coil_->words();
   now.left_marks = coil_->leftCorners();
   now.right_marks = coil_->rightCorners();

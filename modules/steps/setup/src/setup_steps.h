@@ -17,6 +17,9 @@ class SetupSteps {
   SetupView look(const std::shared_ptr<const cameras::StereoFrame>& frame,
                  const std::function<void(const SetupView&)>& publish);
 
+  /// True if the step needs another frame. Where it does not, a file is not read on.
+  bool wantsFrame() const;
+
   void go(SetupStep step);
   void useBoard(const cameras::Board& board);
   void finishViews();
@@ -55,6 +58,8 @@ class SetupSteps {
   PlacementJudge placement_;
   BoardCollector collector_;
   bool is_calibrated_, is_finish_wanted_ = false, wants_more_ = false;
+  bool is_new_ = true;  // false: a file stays at the frame that was processed last
+  std::shared_ptr<const cameras::StereoFrame> seen_;
   std::vector<SetupLine> calibration_lines_;
   std::string calibration_words_;
   std::unique_ptr<RigCheckRun> check_;

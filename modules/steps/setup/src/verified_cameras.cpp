@@ -110,6 +110,10 @@ std::optional<std::int64_t> VerifiedCameras::frameCount() const {
   return implementation_->cameras->frameCount();
 }
 
+bool VerifiedCameras::isFromFiles() const { return implementation_->cameras->isFromFiles(); }
+
+std::string VerifiedCameras::missingPairs() const { return implementation_->cameras->missingPairs(); }
+
 std::vector<std::string> VerifiedCameras::cautions() const { return implementation_->cameras->cautions(); }
 
 std::shared_ptr<const RigStart> VerifiedCameras::standing() const {

@@ -185,10 +185,21 @@ TEST(Calibrate, WarnsOfSwappedSides) {
   EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("swapped")));
 }
 
+TEST(Calibrate, PicturesOfOneCameraForBothSidesAreRefused) {
+  auto views = syntheticViews(support::convergingRig(), 10, 0.05, 9);
+  for (auto& view : views) view.right = view.left;
+  try {
+    calibrated(views);
+    ADD_FAILURE() << "a rig without a distance between its cameras";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("left and right are pictures of the same camera"));
+  }
+}
+
 TEST(Calibrate, RefusesTooLittle) {
   EXPECT_THAT(messageOf({}), HasSubstr("no image pairs"));
   const cv::Mat grey(480, 640, CV_8U, cv::Scalar(128)), small(240, 320, CV_8U, cv::Scalar(128));
-  EXPECT_THAT(messageOf({{"a", grey, grey}, {"b", grey, grey}}), HasSubstr("found in only 0 pairs"));
+  EXPECT_THAT(messageOf({{"a", grey, grey}, {"b", grey, grey}}), HasSubstr("found in none of the 2 pairs"));
   EXPECT_THAT(messageOf({{"a", grey, grey}, {"b", small, grey}}), HasSubstr("320 x 240"));
 }
 
@@ -197,7 +208,8 @@ TEST(Chessboard, TextOfABoard) {
   EXPECT_EQ(boardFromText("9x6", 25).rows, 6);
   for (const char* text : {"", "9", "9x", "x6", "9x6x", "9.5x6", "2x6", "-9x6", "9 x 6"})
     EXPECT_THROW(boardFromText(text, 25), Error) << text;
-  EXPECT_THROW(boardFromText("9x6", 0), Error);
+  for (const double square_mm : {0.0, -25.0, 0.025, 25000.0, double(NAN)})
+    EXPECT_THROW(boardFromText("9x6", square_mm), Error) << square_mm;
 }
 
 TEST(Chessboard, CornersOfADrawnBoardAreFoundInOneOrder) {

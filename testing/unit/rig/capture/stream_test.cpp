@@ -3,8 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <set>
+#include <thread>
 
+#include "facenav/core/number_text.h"
 #include "support/camera_contract.h"
 #include "support/fake_v4l2.h"
 #include "support/jpeg_server.h"
@@ -85,7 +89,98 @@ TEST(Stream, AVideoPlaysAtItsOwnPaceAndEnds) {
   const auto pair = testing::openPair(left, right);
   int frames = 0;
   while (pair->next()) ++frames;
-  EXPECT_GE(frames, 3);
+  EXPECT_EQ(frames, 10);
+}
+
+/// Writes a video whose picture `i` shows the number i; the numbers in `without` are left out.
+void film(const std::string& path, int pictures, const std::set<int>& without = {}) {
+  cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 50, cv::Size(kWidth, kHeight),
+                         false);
+  for (int i = 0; i < pictures; ++i)
+    if (!without.count(i)) writer.write(testing::numberedPicture(kWidth, kHeight, i));
+}
+
+std::unique_ptr<CameraPairSource> openFiles(const std::string& left, const std::string& right) {
+  const auto open = [](const std::string& path) {
+    return makeStreamBackend()->open({"stream", path, "", "", ""});
+  };
+  return openCameraPair(testing::rigOfSize(streamSettings()), open(left), open(right),
+                        {streamSettings(), streamSettings()});
+}
+
+TEST(Stream, TwoVideosAreReadPairByPairHoweverSlowlyTheyAreAskedFor) {
+  const testing::TemporaryFolder folder;
+  const std::string left = (folder.path() / "left.mkv").string(),
+                    right = (folder.path() / "right.mkv").string();
+  film(left, 30);
+  film(right, 30);
+  const auto pair = openFiles(left, right);
+  std::int64_t frames = 0;
+  double first_s = 0, last_s = 0;
+  while (const auto frame = pair->next()) {
+    EXPECT_EQ(frame->number, frames);
+    EXPECT_LT(cv::norm(frame->left, frame->right, cv::NORM_INF), 3)
+        << "pictures of one number, frame " << frames;
+    (frames == 0 ? first_s : last_s) = frame->captured.s;
+    if (++frames % 4 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(110));
+  }
+  EXPECT_EQ(frames, 30);
+  EXPECT_NEAR(last_s - first_s, 29 * 0.02, 0.003) << "times are those of the file";
+  EXPECT_EQ(pair->missingPairs(), "");
+  EXPECT_TRUE(pair->isFromFiles());
+}
+
+TEST(Stream, MissingPairsOfTwoFoldersAreNamedByTheirNumbers) {
+  const testing::TemporaryFolder folder;
+  const auto write = [&](const std::string& side, const std::set<int>& without) {
+    std::filesystem::create_directories(folder.path() / side);
+    for (int i = 0; i < 12; ++i)
+      if (!without.count(i))
+        cv::imwrite((folder.path() / side / formatted("%06d.png", i)).string(),
+                    testing::numberedPicture(kWidth, kHeight, i));
+    return (folder.path() / side).string();
+  };
+  const auto pair = openFiles(write("l", {5}), write("r", {7, 8}));
+  std::vector<std::int64_t> numbers;
+  while (const auto frame = pair->next()) {
+    EXPECT_EQ(cv::norm(frame->left, frame->right, cv::NORM_INF), 0);
+    numbers.push_back(frame->number);
+  }
+  EXPECT_THAT(numbers, ::testing::ElementsAre(0, 1, 2, 3, 4, 6, 9, 10, 11));
+  EXPECT_EQ(pair->missingPairs(),
+            "3 pairs are missing: the right file has no partner for left pictures 7, 8; the left file has no "
+            "partner for right picture 5");
+  EXPECT_THAT(pair->cautions(), ::testing::ElementsAre(pair->missingPairs()));
+}
+
+TEST(Stream, AVideoThatEndsEarlierIsSaid) {
+  const testing::TemporaryFolder folder;
+  const std::string left = (folder.path() / "left.mkv").string(),
+                    right = (folder.path() / "right.mkv").string();
+  film(left, 20);
+  film(right, 20, {6});  // a video of a constant rate does not say where
+  const auto pair = openFiles(left, right);
+  int frames = 0;
+  while (pair->next()) ++frames;
+  EXPECT_EQ(frames, 19);
+  EXPECT_THAT(pair->missingPairs(),
+              HasSubstr("1 pair is missing: the right file has no partner for left picture 19"));
+  EXPECT_THAT(pair->missingPairs(), HasSubstr("one file is shorter"));
+}
+
+TEST(Stream, EqualPicturesOfAFileAllCount) {
+  const testing::TemporaryFolder folder;
+  const std::string left = (folder.path() / "left.mkv").string(),
+                    right = (folder.path() / "right.mkv").string();
+  for (const auto& path : {left, right}) {
+    cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 50, cv::Size(kWidth, kHeight),
+                           false);
+    for (int i = 0; i < 10; ++i) writer.write(testing::numberedPicture(kWidth, kHeight, 1));
+  }
+  const auto pair = openFiles(left, right);
+  int frames = 0;
+  while (pair->next()) ++frames;
+  EXPECT_EQ(frames, 10);
 }
 
 TEST(Stream, ANetworkStreamKeepsTheContractOfCamerasAndItsEndIsSaid) {
@@ -118,6 +213,18 @@ TEST(Stream, WhatCannotBeOpenedIsNamed) {
                 &words),
             CameraFault::missing);
   EXPECT_THAT(words, HasSubstr("none.mkv"));
+  const auto photo = (folder.path() / "photo.png").string();
+  cv::imwrite(photo, testing::numberedPicture(kWidth, kHeight, 1));
+  const auto wordsOf = [&](const std::string& address) {
+    faultOf([&] { makeStreamBackend()->open({"stream", address, "", "", ""}); }, &words);
+    return words;
+  };
+  EXPECT_THAT(wordsOf(photo), HasSubstr("this is one picture, not a film"));
+  std::filesystem::create_directories(folder.path() / "film" / "left");
+  std::filesystem::create_directories(folder.path() / "film" / "right");
+  EXPECT_THAT(wordsOf((folder.path() / "film").string()), HasSubstr("give its folders left and right"));
+  EXPECT_THAT(wordsOf((folder.path() / "film" / "left").string()),
+              HasSubstr("there is no picture in this folder"));
 }
 
 }  // namespace

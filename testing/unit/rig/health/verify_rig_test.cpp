@@ -25,9 +25,12 @@ health::SquareFinder markerFinder() {
                                      coil_tracking::defaultCoil());
 }
 
-health::RigVerification verifiedByBoard(const cameras::StereoRig& real, bool is_swapped = false) {
-  health::RigVerifier verifier(calibration(), testing::kPrintedBoard, nullptr);
-  for (int i = 0; i < 3; ++i) {
+health::RigVerification verifiedByBoard(const cameras::StereoRig& real, bool is_swapped = false,
+                                        double square_mm = testing::kPrintedBoard.square_mm, int places = 3) {
+  auto board = testing::kPrintedBoard;
+  board.square_mm = square_mm;
+  health::RigVerifier verifier(calibration(), board, nullptr);
+  for (int i = 0; i < places; ++i) {
     auto frame = testing::boardFrame(real, i);
     if (is_swapped) std::swap(frame.left, frame.right);
     verifier.add(frame);
@@ -90,6 +93,21 @@ TEST(VerifyRig, ACameraThatTurnedSidewaysShowsInTheLength) {
   EXPECT_LT(result.row_error_px, 1.0);  // rows alone would not show it
   EXPECT_GT(std::abs(result.lengths[0].measured_mm - 160.0), 1.5);
   EXPECT_THAT(result.words(), HasSubstr("instead of 160.00 mm"));
+}
+
+TEST(VerifyRig, AWrongSizeOfTheSquaresIsToldFromATurnedCamera) {
+  const auto wrong = verifiedByBoard(calibration(), false, 25.0);  // printed: 20 mm
+  EXPECT_EQ(wrong.state, health::RigState::moved) << wrong.words();
+  ASSERT_TRUE(wrong.square_doubt) << wrong.words();
+  EXPECT_NEAR(wrong.square_doubt->fitting_mm, 20.0, 0.05);
+  EXPECT_THAT(wrong.words(), HasSubstr("the rows fit, but the length does not"));
+  EXPECT_THAT(wrong.words(), HasSubstr("not 25.00 mm; measure one"));
+  // At one distance, a turned camera looks the same: both are said.
+  const auto at_one = verifiedByBoard(calibration(), false, 25.0, 1);
+  EXPECT_THAT(at_one.words(), HasSubstr("check the size of a square first (25.00 mm is given, 20.0"));
+  const auto turned = verifiedByBoard(testing::turnedRight(calibration(), {0, 0.3 * kRadPerDeg, 0}));
+  EXPECT_FALSE(turned.square_doubt) << turned.words();
+  EXPECT_THAT(turned.words(), HasSubstr("calibrate again"));
 }
 
 TEST(VerifyRig, ACameraThatNoddedShowsInTheRowsWithItsAngle) {

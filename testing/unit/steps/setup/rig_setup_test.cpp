@@ -104,6 +104,49 @@ TEST_F(RigSetupTest, ABoardThatStaysInOnePlaceProvesTooLittle) {
   EXPECT_TRUE(waitForView(*setup, isDone)) << setup->latest()->sentence;
 }
 
+/// A film of the board that lies in two files, one pair of which is missing.
+class BoardFiles : public capture::FrameSource {
+ public:
+  BoardFiles(const cameras::StereoRig& rig, std::shared_ptr<std::atomic<int>> pairs_read)
+      : film_(rig, testing::boardRound()), pairs_read_(std::move(pairs_read)) {}
+  const cameras::StereoRig& rig() const override { return film_.rig(); }
+  std::shared_ptr<const cameras::StereoFrame> next() override {
+    auto frame = film_.next();
+    if (frame) ++*pairs_read_;
+    return frame;
+  }
+  bool isFromFiles() const override { return true; }
+  std::string missingPairs() const override { return "1 pair is missing: number 7"; }
+
+ private:
+  testing::BoardFilm film_;
+  std::shared_ptr<std::atomic<int>> pairs_read_;
+};
+
+TEST_F(RigSetupTest, FilesAreReadOnlyAsAStepNeedsThemAndTheirEndLosesNothing) {
+  SetupOptions options;
+  options.board = testing::kPrintedBoard;
+  const auto read = std::make_shared<std::atomic<int>>(0);
+  RigSetup setup(std::make_unique<BoardFiles>(rig_, read), options, testing::setupMethods());
+  ASSERT_TRUE(waitForView(setup, [](const auto& view) { return bool(view.frame); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(*read, 1) << "the film waits while the cameras are placed";
+  setup.go(SetupStep::calibrate);
+  ASSERT_TRUE(waitForView(setup, isDone)) << setup.latest()->sentence;
+  const auto view = setup.latest();
+  EXPECT_THAT(view->lines.back().words, HasSubstr("1 pair is missing: number 7"));
+  EXPECT_TRUE(setup.rig());
+  const int after = *read;
+  setup.go(SetupStep::check);  // what is left of the film is no new place
+  ASSERT_TRUE(waitForView(setup, [](const auto& now) {
+    return now.sentence.find("at their end") != std::string::npos || now.is_done;
+  }));
+  EXPECT_TRUE(setup.latest()->failure.empty()) << setup.latest()->failure;
+  EXPECT_GE(*read, after);
+  setup.go(SetupStep::calibrate);
+  EXPECT_TRUE(waitForView(setup, isDone)) << "still calibrated";
+}
+
 TEST_F(RigSetupTest, AnUnpluggedCameraIsSaid) {
   const auto setup = open();
   ASSERT_TRUE(waitForView(*setup, [](const auto& view) { return bool(view.frame); }));

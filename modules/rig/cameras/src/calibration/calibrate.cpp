@@ -13,6 +13,7 @@ namespace facenav::cameras {
 namespace {
 
 constexpr std::size_t kFewestViews = 5;
+constexpr double kApartSigmas = 5;  // of the baseline, in its standard errors
 
 // Turns boards so that both images of a view have their corners in one order; needed where the board's
 // colours do not define it.
@@ -26,11 +27,24 @@ std::vector<BoardView> withOneOrder(std::vector<BoardView> views) {
   return views;
 }
 
-void requireViews(std::size_t found) {
-  if (found < kFewestViews)
-    throw Error("the whole board was found in only " + std::to_string(found) + " pairs, " +
-                    std::to_string(kFewestViews) + " are needed",
-                {}, "check --board (inner corners), light and focus, or take more pairs");
+void requireViews(std::size_t found, std::size_t pairs) {
+  if (found >= kFewestViews) return;
+  const std::string needed = std::to_string(kFewestViews) + " are needed";
+  if (found == 0 && pairs > 0)
+    throw Error(
+        "the whole board was found in none of the " + std::to_string(pairs) + " pairs, " + needed, {},
+        "check the board's size first: it counts inner corners, one less than squares; then light and "
+        "focus");
+  throw Error("the whole board was found in only " + std::to_string(found) + " of " + std::to_string(pairs) +
+                  " pairs, " + needed,
+              {}, "take more pairs with the whole board in both pictures, sharp and well lit");
+}
+
+/// Throws Error if both cameras stand in one place: both lists hold pictures of the same camera.
+void requireTwoPlaces(const Calibration& result) {
+  if (result.rig.baseline_mm() > kApartSigmas * result.baseline_sigma_mm) return;
+  throw Error("the two cameras stand in one place: left and right are pictures of the same camera", {},
+              "give the pictures of two cameras");
 }
 
 Calibration calibrated(const BoardViews& task, TaskMonitor& monitor) {
@@ -48,6 +62,7 @@ Calibration calibrated(const BoardViews& task, TaskMonitor& monitor) {
   result.rig = fit.rig;
   result.focal_sigma_px = fit.focal_sigma_px;
   result.baseline_sigma_mm = fit.baseline_sigma_mm;
+  requireTwoPlaces(result);
   result.rms_px = rmsOf(fitViews(task, result.rig, trusted.used));
   result.rig.rms_px = result.rms_px;
   report(task, trusted, result);
@@ -113,7 +128,7 @@ int Calibration::usedViews() const {
 
 Calibration calibrateCorners(const std::vector<BoardView>& views, const cv::Size& size, const Board& board,
                              TaskMonitor& monitor) {
-  requireViews(views.size());
+  requireViews(views.size(), views.size());
   const bool is_order_visible = (board.columns + board.rows) % 2 == 1;
   const std::vector<BoardView> ordered = is_order_visible ? views : withOneOrder(views);
   try {
@@ -129,6 +144,7 @@ Calibration calibrate(const std::vector<CalibrationPair>& pairs, const Board& bo
   const std::vector<BoardView> all = findBoards(pairs, board, monitor);
   std::vector<BoardView> views;
   std::copy_if(all.begin(), all.end(), std::back_inserter(views), isFound);
+  requireViews(views.size(), all.size());
   Calibration result = calibrateCorners(views, pairs.front().left.size(), board, monitor);
   result.views = withMissing(all, result.views);
   return result;

@@ -44,7 +44,8 @@ std::vector<std::string> warningsFor(const BoardViews& task, const TrustedViews&
   const bool is_simultaneous = warnings.empty();
   const Eigen::Vector3d right_centre = result.rig.right_T_left.inverse().translation_mm();
   if (right_centre.x() < 0 && std::abs(right_centre.x()) > std::abs(right_centre.y()))
-    warnings.push_back("the right camera stands left of the left one: are both lists swapped?");
+    warnings.push_back(
+        "the right camera stands left of the left one: if the lists are swapped, exchange left and right");
   for (const auto& [name, side] :
        {std::pair("left", &BoardView::left), std::pair("right", &BoardView::right)})
     if (coverage(task, trusted.used, side) < kUsefulCoverage)

@@ -8,11 +8,14 @@
 
 #include "charuco.h"
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::cameras {
 namespace {
 
 using Corners = std::vector<cv::Point2f>;
+
+constexpr double kLeastSquare_mm = 0.5, kMostSquare_mm = 1000;  // beyond: given in metres or micrometres
 
 // Half window of the sub-pixel refinement, as a fraction of the least distance of two corners. At 0.4 the
 // window extends past the last squares. Evidence: resources/doc/evidence.md.
@@ -114,7 +117,9 @@ Board boardFromText(const std::string& whole, double square_mm, std::optional<do
       board.columns > 100 || board.rows > 100)
     throw Error("'" + whole + "' is no board size", "--board",
                 "give a chessboard's inner corners, 9x6 say, or a ChArUco board's squares, charuco:7x5");
-  if (!(square_mm > 0 && square_mm < 10000)) throw Error("a square must be longer than 0 mm", "--square");
+  if (!(square_mm >= kLeastSquare_mm && square_mm <= kMostSquare_mm))
+    throw Error(formatted("a square of %g mm is no size of a board", square_mm), "--square",
+                "measure one and give it in mm, 25 say");
   if (is_charuco && !(*board.marker_mm > 0 && *board.marker_mm < square_mm))
     throw Error("the markers must be longer than 0 mm and smaller than the squares", "--marker");
   return board;

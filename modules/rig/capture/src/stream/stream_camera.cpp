@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "facenav/capture/camera_backend.h"
+#include "folder_camera.h"
 #include "grey_image.h"
 #include "picture_intake.h"
 
@@ -16,7 +17,8 @@ namespace facenav::capture {
 namespace {
 
 constexpr int kOpenWithin_ms = 5000, kReadWithin_ms = 2000;
-constexpr double kLateFor_s = 2.0;  // a backlog after a short stall is read in less time
+constexpr double kUsualRate_hz = 30.0;  // of a file that states none
+constexpr double kLateFor_s = 2.0;      // a backlog after a short stall is read in less time
 
 bool isFile(const std::string& address) { return std::filesystem::is_regular_file(address); }
 
@@ -64,11 +66,13 @@ class StreamCamera : public Camera {
   void trigger() override;
   void stop() override { is_running_ = false; }
   PictureCounts counts() const override { return intake_.counts(); }
+  bool isFromFiles() const override { return isFile(identity_.address); }
 
  private:
   [[noreturn]] void failAtEnd() const;
   void requireInTime() const;
   bool grab();
+  double fileStamp_s();
   std::optional<CameraPicture> retrieve();
 
   CameraIdentity identity_;
@@ -77,8 +81,9 @@ class StreamCamera : public Camera {
   PictureIntake intake_;
   std::int64_t sequence_ = 0;
   double begun_s_ = 0.0;
-  std::optional<double> due_s_;  // due time of the grabbed picture, if a file sets the pace
-  bool is_running_ = false, has_started_ = false;
+  std::optional<double> due_s_;  // due time of the grabbed picture
+  double last_stamp_s_ = -1.0;   // of a file, from its start
+  bool is_running_ = false, has_started_ = false, is_paced_ = true;
 };
 
 CameraState StreamCamera::configure(const CameraSettings& settings) {
@@ -92,15 +97,17 @@ CameraState StreamCamera::configure(const CameraSettings& settings) {
                           std::to_string(settings.height_px) + " px",
                       identity_.address,
                       "it has " + std::to_string(state_.width_px) + " x " + std::to_string(state_.height_px) +
-                          "; set the sender to the calibrated size");
+                          (isFromFiles() ? "; choose this size" : "; set the sender to the calibrated size"));
   if (settings.trigger != Trigger::free_run) trigger();
+  is_paced_ = settings.is_paced || !isFromFiles();
   state_.frames_per_s = video_.get(cv::CAP_PROP_FPS);
   state_.format = "stream";
   state_.clock = isFile(identity_.address) ? "the file's time stamps, from its start"
                  : carriesClock(identity_.address)
                      ? "the sender's time stamps, fitted to this computer's clock"
                      : "time of arrival; this kind of stream has no time stamps";
-  state_.notes.push_back("exposure, gain, focus and white balance of a stream are set at its sender");
+  if (!isFromFiles())
+    state_.notes.push_back("exposure, gain, focus and white balance of a stream are set at its sender");
   return state_;
 }
 
@@ -112,6 +119,7 @@ void StreamCamera::start() {
   has_started_ = is_running_ = true;
   intake_.restart();
   due_s_.reset();
+  last_stamp_s_ = -1.0;
   sequence_ = 0;
   begun_s_ = Timestamp::now().s;
 }
@@ -130,16 +138,27 @@ void StreamCamera::requireInTime() const {
                       "let the sender send fewer or smaller pictures, or close other programs");
 }
 
+/// Time of the grabbed picture from the file's start. Some files have no time stamps: there the rate counts.
+double StreamCamera::fileStamp_s() {
+  const double stamp_s = 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC);
+  const double rate_hz = state_.frames_per_s > 0 ? state_.frames_per_s : kUsualRate_hz;
+  last_stamp_s_ = stamp_s > last_stamp_s_ ? stamp_s : last_stamp_s_ + 1.0 / rate_hz;
+  return last_stamp_s_;
+}
+
 bool StreamCamera::grab() {
   if (due_s_) return true;
   if (!video_.grab()) failAtEnd();
-  due_s_ =
-      isFile(identity_.address) ? begun_s_ + 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC) : Timestamp::now().s;
+  due_s_ = isFromFiles() ? begun_s_ + fileStamp_s() : Timestamp::now().s;
   return true;
 }
 
 std::optional<CameraPicture> StreamCamera::retrieve() {
-  const double stamp_s = carriesClock(identity_.address) ? 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC) : *due_s_;
+  const bool has_clock = carriesClock(identity_.address);
+  const double stamp_s = has_clock ? 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC) : *due_s_;
+  const StampClock clock = isFromFiles() ? StampClock::file
+                           : has_clock   ? StampClock::device
+                                         : StampClock::steady;
   due_s_.reset();
   cv::Mat image;
   const std::int64_t sequence = sequence_++;
@@ -147,9 +166,7 @@ std::optional<CameraPicture> StreamCamera::retrieve() {
     intake_.noteDamaged();
     return std::nullopt;
   }
-  return intake_.accept(toGrey8(image, 16).clone(), sequence,
-                        carriesClock(identity_.address) ? StampClock::device : StampClock::steady, stamp_s,
-                        Timestamp::now().s);
+  return intake_.accept(toGrey8(image, 16).clone(), sequence, clock, stamp_s, Timestamp::now().s);
 }
 
 std::optional<CameraPicture> StreamCamera::next(double timeout_s) {
@@ -157,9 +174,9 @@ std::optional<CameraPicture> StreamCamera::next(double timeout_s) {
   const double until_s = Timestamp::now().s + timeout_s;
   do {
     grab();
-    const double wait_s = std::min(*due_s_, until_s) - Timestamp::now().s;
+    const double wait_s = is_paced_ ? std::min(*due_s_, until_s) - Timestamp::now().s : 0.0;
     if (wait_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
-    if (*due_s_ > until_s) return std::nullopt;
+    if (is_paced_ && *due_s_ > until_s) return std::nullopt;
     auto picture = retrieve();
     requireInTime();
     if (picture) return picture;
@@ -176,6 +193,10 @@ class StreamBackend : public CameraBackend {
  public:
   std::vector<FoundCamera> list() override { return {}; }
   std::unique_ptr<Camera> open(const CameraIdentity& camera) override {
+    if (std::filesystem::is_directory(camera.address)) return openFolderCamera(camera);
+    if (isFile(camera.address) && isImageFile(camera.address))
+      throw CameraError(CameraFault::refused, "this is one picture, not a film", camera.address,
+                        "give a video, or the folder of the pictures");
     return std::make_unique<StreamCamera>(camera);
   }
 };

@@ -16,10 +16,11 @@ namespace facenav::capture {
 
 struct CameraIdentity {
   std::string backend;  // "v4l2", "genicam", "dc1394", "stream"
-  std::string address;  // opens it now: "/dev/video2", "Aravis-Fake-GV01", "http://host/video"
-  std::string model;    // "HD Pro Webcam C920"
-  std::string serial;   // empty: it has none
-  std::string port;     // port that it is plugged into: "1-2.4", "192.168.1.20"; empty: unknown
+  std::string
+      address;  // opens it now: "/dev/video2", "Aravis-Fake-GV01", "http://host/video", a file, a folder
+  std::string model;   // "HD Pro Webcam C920"
+  std::string serial;  // empty: it has none
+  std::string port;    // port that it is plugged into: "1-2.4", "192.168.1.20"; empty: unknown
 };
 
 enum class CameraFault {
@@ -62,6 +63,9 @@ struct CameraSettings {
   // True: the camera adjusts itself to find values for this light. Let it run for some seconds, then
   // configure again with false.
   bool is_adjusting = false;
+  // Files only. True: pictures come at the pace at which they were taken; false: as fast as they are asked
+  // for.
+  bool is_paced = true;
 };
 
 /// State of one of the camera's own adjustments, which changes the picture under the tracker unless it is
@@ -121,6 +125,8 @@ class Camera {
   virtual void trigger() = 0;
   virtual void stop() = 0;
   virtual PictureCounts counts() const = 0;
+  /// True if the pictures lie in a file or folder: none is missed while nobody asks for it.
+  virtual bool isFromFiles() const { return false; }
 };
 
 /// Name of a camera: "v4l2:HD Pro Webcam C920#A1B2" with a serial number, "v4l2:USB Camera@1-2" with a port

@@ -47,7 +47,7 @@ std::unique_ptr<CameraBackend> makeGenicamBackend();
 /// reports it.
 std::unique_ptr<CameraBackend> makeDc1394Backend();
 /// Backend for videos and network streams (RTSP, HTTP, ..) through FFmpeg. list() is empty: an address opens
-/// them.
+/// them. A folder of numbered pictures is a stream, too.
 std::unique_ptr<CameraBackend> makeStreamBackend();
 
 enum class Search { quick, everywhere };  // quick: without backends that ask the network
@@ -55,8 +55,8 @@ enum class Search { quick, everywhere };  // quick: without backends that ask th
 /// identifies none.
 std::vector<FoundCamera> listCameras(const CameraBackends& backends, Search search = Search::everywhere);
 /// The camera that `text` names: its stable name, address, serial number, "video2" or "2". An address with
-/// "://" or the path of an existing file is a stream. Throws CameraError: missing (the message lists what is
-/// there), or if several cameras fit.
+/// "://" or the path of an existing file or folder (also file://..) is a stream. Throws CameraError: missing
+/// (the message lists what is there), or if several cameras fit.
 CameraIdentity findCamera(const std::vector<FoundCamera>& found, const std::string& text);
 /// The connected camera that is `wanted`, with its current address. Throws CameraError missing; if an equal
 /// model is connected (another serial number, another port), the message reports it.

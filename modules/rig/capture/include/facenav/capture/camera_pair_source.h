@@ -1,7 +1,8 @@
 #pragma once
 // A live pair of cameras as a FrameSource. Each camera is read on its own thread; pairs are made by capture
 // time (picture_matcher.h), not by arrival. A frame's `captured` is the left camera's time, its
-// `right_late_s` the right camera's delay. A slow reader misses pairs, but never gets old ones.
+// `right_late_s` the right camera's delay. A slow reader misses pairs, but never gets old ones. Two files or
+// folders are read pair by pair instead: none is missed, and missing partners are named (src/file_pair.h).
 
 #include <memory>
 

@@ -24,6 +24,11 @@ class FrameSource {
   /// Warnings about live cameras for the user, one line each: "left camera, focus: the camera stays on
   /// automatic". May be called from any thread.
   virtual std::vector<std::string> cautions() const { return {}; }
+  /// True if no frame is missed while nobody asks for the next one: files, not live cameras.
+  virtual bool isFromFiles() const { return false; }
+  /// Pairs of two files that are missing so far, with their numbers, in words; empty if none is. May be
+  /// called from any thread.
+  virtual std::string missingPairs() const { return {}; }
 };
 
 }  // namespace facenav::capture

@@ -57,6 +57,16 @@ struct CheckMotion {
   std::string words() const;
 };
 
+/// The board's length does not fit although the rows do: the size given for its squares may be wrong. A
+/// camera that turned sideways looks the same at one distance; the farther the board, the more it changes the
+/// length.
+struct SquareDoubt {
+  double given_mm = 0, fitting_mm = 0;  // side of one square: as given; as the calibration measures it
+  bool is_same_everywhere = false;      // the lengths are off by one factor at different distances
+  /// What to check, one sentence.
+  std::string words() const;
+};
+
 struct RigVerification {
   RigState state = RigState::unclear;
   int frames = 0, board_frames = 0, marker_frames = 0;
@@ -67,7 +77,8 @@ struct RigVerification {
                             // the calibrated one
   double turn_deg = 0, shift_mm = 0;  // motion of the right camera since the calibration; 0 while it holds
   double point_error_mm = 0;          // effect of the motion on a point's position
-  CheckMotion motion;                 // largest motion from the first measurement
+  std::optional<SquareDoubt> square_doubt;
+  CheckMotion motion;  // largest motion from the first measurement
   /// Findings with numbers, one line each: "board: 159.6 mm measured, 160.0 mm true (+-0.3 mm)".
   std::vector<std::string> findings() const;
   /// Verdict and advice, one line.

@@ -29,6 +29,7 @@ struct RecordOutcome {
   double seconds = 0;                   // from the first frame to the last
   double rate = 0;                      // pairs a second
   std::optional<double> right_late_ms;  // median delay of the right picture, if the cameras give it
+  std::string missing;                  // pairs that two files lack, with their numbers; empty: none
   std::string ended_by;                 // why it ended early; empty: it did not
   /// Returns "300 pairs in 10.0 s (30.0 a second); ..".
   std::string words() const;

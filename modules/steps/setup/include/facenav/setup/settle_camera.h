@@ -7,7 +7,8 @@
 
 namespace facenav::steps {
 
-/// Settles a camera in some two seconds. Throws CameraError as capture::openCamera and Camera::configure do.
+/// Settles a camera in some two seconds; files have nothing to settle. Throws CameraError as
+/// capture::openCamera and Camera::configure do.
 capture::RigCamera settledCamera(const capture::CameraBackends& backends,
                                  const capture::CameraIdentity& identity, capture::CameraSettings settings);
 
@@ -16,7 +17,19 @@ struct NewPair {
   capture::RigCamera left, right;
   std::unique_ptr<capture::CameraPairSource> source;
 };
-/// Opens a pair by names as capture::findCamera takes them. `settings`: the wanted size and rate.
+/// A CameraError that knows which of the two cameras it is about.
+class PairError : public capture::CameraError {
+ public:
+  PairError(const capture::CameraError& error, bool is_left)
+      : CameraError(error.fault(), error.what(), "", ""), is_left_(is_left) {}
+  bool isLeft() const { return is_left_; }
+
+ private:
+  bool is_left_;
+};
+
+/// Opens a pair by names as capture::findCamera takes them. `settings`: the wanted size and rate. Throws
+/// PairError if one of them cannot be used.
 NewPair openNewPair(const capture::CameraBackends& backends, const std::string& left,
                     const std::string& right, const capture::CameraSettings& settings);
 

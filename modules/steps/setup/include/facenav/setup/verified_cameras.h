@@ -28,6 +28,8 @@ class VerifiedCameras : public capture::FrameSource {
   const cameras::StereoRig& rig() const override;
   std::shared_ptr<const cameras::StereoFrame> next() override;
   std::optional<std::int64_t> frameCount() const override;
+  bool isFromFiles() const override;
+  std::string missingPairs() const override;
   std::vector<std::string> cautions() const override;
 
   /// Latest result, never null; before the first one: unclear, with an earlier fault still in force.
