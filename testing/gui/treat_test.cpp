@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
 
 #include <QComboBox>
 #include <QFrame>
@@ -69,6 +72,42 @@ TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   const std::lock_guard lock(mutex);
   EXPECT_FALSE(drew.empty());
   EXPECT_EQ(drew.count(std::this_thread::get_id()), 0u);
+}
+
+TEST(Treat, TheCameraPicturesAreShownHoweverSlowlyTheSceneIsRendered) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  const Services services = fakeServices();
+  CaseModel model;
+  TaskRunner tasks;
+  TreatPresenter treat(services, model, tasks);
+  TreatWorkspace workspace(treat, model);
+  workspace.resize(1400, 900);
+  workspace.show();
+  TaskMonitor monitor;
+  model.open(loadCase(plannedCase(folder.path(), true), monitor));
+  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
+  treat.openRecording(QString::fromStdString(writeRecording(folder.path(), 800).string()));
+  settle();
+  treat.align(true);
+  settle();
+  settle();
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat.isRunning(); }));
+  const auto* row = workspace.findChild<CameraRow*>();
+  int drawn = 0, shown = 0, scenes = 0;
+  QObject::connect(&treat, &TreatPresenter::overlayDrawn, &workspace,
+                   [&](const auto& picture) { ++drawn, shown += row->shown() == picture; });
+  vtkNew<vtkCallbackCommand> slowly;
+  slowly->SetClientData(&scenes);
+  slowly->SetCallback([](vtkObject*, unsigned long, void* count, void*) {
+    ++*static_cast<int*>(count);
+    QTest::qSleep(300);  // longer than the age limit of a pose
+  });
+  workspace.findChild<SceneView*>()->scene().renderer()->AddObserver(vtkCommand::StartEvent, slowly);
+  EXPECT_TRUE(fixtures::waitFor([&] { return shown >= 8; })) << drawn << " drawn, " << shown << " shown";
+  EXPECT_GE(scenes, 2);
+  EXPECT_GT(drawn, scenes) << "pictures are drawn while the scene rests";
+  treat.end();
 }
 
 TEST(Treat, GuidesWhileTheRecordingPlaysAndLeavesNoPoseStandingAtItsEnd) {

@@ -68,7 +68,11 @@ void SceneView::refresh() {
   QElapsedTimer timer;
   timer.start();
   renderWindow()->Render();
-  if (!is_quick_) whole_ms_ = double(timer.nsecsElapsed()) * 1e-6;
+  const double took_ms = double(timer.nsecsElapsed()) * 1e-6;
+  if (is_quick_)
+    rest_.start(kRest_ms + int(2 * took_ms));  // a slow scene pauses between drawings, but still moves
+  else
+    whole_ms_ = took_ms;
   emit drawn();
 }
 

@@ -304,12 +304,24 @@ void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>&
                                         read_out.coil.words,
                                         presenter_.showsSkin() ? "skin" : ""}
                                 .join('|');
-  if (signature == signature_) return;
+  const bool must_draw = signature_.isEmpty() || read_out.instruction != words_in_scene_;
+  if (signature != signature_) followState(state, read_out);
+  is_scene_behind_ |= signature != signature_;
   signature_ = signature;
-  drawScene(*state, read_out, was_started);
+  // Where rendering is slow (no graphics card), poses in between are left out; new words never wait.
+  if (!must_draw && !(is_scene_behind_ && scene_share_.isDue())) return;
+  is_scene_behind_ = false;
+  words_in_scene_ = read_out.instruction;
+  scene_share_.draw([&] { drawScene(*state, read_out, was_started); });
+}
+
+/// Shows the state in everything but the scene. The camera pictures come first: another thread draws them
+/// while this one renders the scene, so they show the state that the scene shows.
+void TreatWorkspace::followState(const std::shared_ptr<const session::NavigationState>& state,
+                                 const ReadOut& read_out) {
+  presenter_.askOverlay(state);
   slices_->follow(*state, read_out.instruction,
                   state->chosen ? presenter_.errorBound95_mm(state->chosen->target) : std::nullopt);
-  presenter_.askOverlay(state);
   tools_->show(state->guidance, read_out);
   presenter_.isGuiding() ? sounds_.follow(state->guidance) : sounds_.forget();
 }

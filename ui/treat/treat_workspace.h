@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "shell/drawing_share.h"
 #include "treat/check_presenter.h"
 #include "treat/motor_presenter.h"
 #include "treat/return_presenter.h"
@@ -64,6 +65,7 @@ class TreatWorkspace : public QWidget {
   ReadOut readOut(const session::NavigationState& state, bool was_started) const;
   void draw(const std::shared_ptr<const session::NavigationState>& state, const ReadOut& read_out,
             bool was_started);
+  void followState(const std::shared_ptr<const session::NavigationState>& state, const ReadOut& read_out);
   void drawScene(const session::NavigationState& state, const ReadOut& read_out, bool was_started);
   void showStage(bool shows_cameras);
   void showPreview();
@@ -91,7 +93,9 @@ class TreatWorkspace : public QWidget {
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false, shows_aligned_ = false, shows_moved_ = false;
   std::int64_t previewed_ = -1;
-  QString signature_;
+  QString signature_, words_in_scene_;  // of what is shown; empty: draw anew
+  bool is_scene_behind_ = false;        // the scene does not show the newest state yet
+  DrawingShare scene_share_;
 };
 
 }  // namespace facenav::ui

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/volume/for_slices.h"
+
 namespace facenav::segmentation {
 namespace {
 
@@ -23,14 +25,17 @@ BlockMeans blockMeans(const volume::Volume& volume) {
   out.grid.mri_from_voxel.scale(block);
   out.mean.assign(out.grid.count(), 0.f);
   std::vector<int> count(out.mean.size());
-  std::size_t v = 0;
-  for (int k = 0; k < volume.grid.size[2]; ++k)
-    for (int j = 0; j < volume.grid.size[1]; ++j) {
-      const std::size_t row = out.grid.index(0, j / out.block[1], k / out.block[2]);
-      for (int i = 0; i < volume.grid.size[0]; ++i, ++v)
-        if (std::isfinite(volume.voxels[v]))
-          out.mean[row + i / out.block[0]] += volume.voxels[v], ++count[row + i / out.block[0]];
-    }
+  volume::forSlices(out.grid.size[2], [&](int slice) {
+    const int end = std::min(volume.grid.size[2], (slice + 1) * out.block[2]);
+    for (int k = slice * out.block[2]; k < end; ++k)
+      for (int j = 0; j < volume.grid.size[1]; ++j) {
+        const std::size_t row = out.grid.index(0, j / out.block[1], slice);
+        std::size_t v = volume.grid.index(0, j, k);
+        for (int i = 0; i < volume.grid.size[0]; ++i, ++v)
+          if (std::isfinite(volume.voxels[v]))
+            out.mean[row + i / out.block[0]] += volume.voxels[v], ++count[row + i / out.block[0]];
+      }
+  });
   for (std::size_t c = 0; c < out.mean.size(); ++c)
     out.mean[c] = count[c] ? out.mean[c] / float(count[c]) : 0.f;
   return out;

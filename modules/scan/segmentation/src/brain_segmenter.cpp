@@ -36,8 +36,8 @@ struct Found {
 Found byGrowthAlone(const Volume& working, const Volume& scan, TaskMonitor& monitor) {
   GrowthStart start = startFromHead(working, monitor);
   const BetSphere sphere = start.sphere;
-  GrownBrain grown = growBrain(std::move(start), scan.grid, monitor);
-  return {std::move(grown.mask), std::move(grown.doubts), sphere, {}};
+  auto grown = growBrain(std::move(start), scan.grid, monitor, [](const Mask&) { return true; });
+  return {std::move(grown->mask), std::move(grown->doubts), sphere, {}};
 }
 
 /// Adds the core: what lies deep within the prior's outline is brain, whatever its intensity (lesions).
@@ -69,10 +69,11 @@ std::optional<Found> grownAlike(MakeStart&& makeStart, const Mask& refined, bool
   try {
     GrowthStart start = makeStart();
     const BetSphere sphere = start.sphere;
-    GrownBrain grown = growBrain(std::move(start), scan.grid, monitor);
-    if (!isAlike(grown.mask, refined, is_by_prior, use)) return std::nullopt;
-    raiseDoubts(grown.doubts, refined);
-    return Found{withCore(grown.mask, refined, use.core_mm), std::move(grown.doubts), sphere, {}};
+    auto grown = growBrain(std::move(start), scan.grid, monitor,
+                           [&](const Mask& mask) { return isAlike(mask, refined, is_by_prior, use); });
+    if (!grown) return std::nullopt;
+    raiseDoubts(grown->doubts, refined);
+    return Found{withCore(grown->mask, refined, use.core_mm), std::move(grown->doubts), sphere, {}};
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {  // grey and white matter do not differ, or no head is found by its shape

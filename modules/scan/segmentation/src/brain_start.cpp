@@ -104,8 +104,6 @@ BetIntensities intensitiesIn(const Volume& working, const Mask& head, const BetS
 
 Volume workingVolume(const Volume& volume, double spacing_mm) {
   const float floor = volume::percentile(volume, 0.02);
-  Volume above{volume.grid, volume.voxels, volume.modality, volume.orientation_source};
-  for (float& value : above.voxels) value = std::isfinite(value) ? value - floor : 0.f;
   VoxelGrid grid = volume::isotropicGrid(volume.grid, spacing_mm);
   const int pad = int(std::ceil(kPad_mm / spacing_mm));
   for (int a = 0; a < 3; ++a) grid.size[a] += 2 * pad;
@@ -113,7 +111,10 @@ Volume workingVolume(const Volume& volume, double spacing_mm) {
   // A coarse scan is interpolated by a cubic, which keeps its edges: trilinear interpolation would close thin
   // bone between brain and muscle. A fine one is averaged over neighbours against noise.
   const bool is_fine = volume.grid.spacing_mm().minCoeff() < kFine * spacing_mm;
-  return is_fine ? volume::resample(above, grid) : volume::resampleCubic(above, grid);
+  if (is_fine) return volume::resampleAbove(volume, floor, grid);
+  Volume above{volume.grid, volume.voxels, volume.modality, volume.orientation_source};
+  for (float& value : above.voxels) value = std::isfinite(value) ? value - floor : 0.f;
+  return volume::resampleCubic(above, grid);
 }
 
 Volume halved(const Volume& volume, int first) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facenav/core/robust_statistics.h"
+#include "facenav/volume/for_slices.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -218,12 +219,11 @@ TissueModel fitTissue(const Volume& image, const Mask& core, const TissueModel* 
   return model;
 }
 
-Volume corrected(const Volume& image, const TissueModel& model) {
-  Volume out = image;
+Volume corrected(Volume image, const TissueModel& model) {
   const auto& n = image.grid.size;
   const double step = image.grid.spacing_mm().x() / kBiasScale_mm;
-  std::size_t at = 0;
-  for (int k = 0; k < n[2]; ++k)
+  volume::forSlices(n[2], [&](int k) {
+    std::size_t at = image.grid.index(0, 0, k);
     for (int j = 0; j < n[1]; ++j) {
       const Eigen::Vector3d row =
           (image.grid.toMri({0, double(j), double(k)}).mm - model.centre_mm) / kBiasScale_mm;
@@ -231,10 +231,11 @@ Volume corrected(const Volume& image, const TissueModel& model) {
       for (int i = 0; i < n[0]; ++i, ++at) {
         const double x = row.x() + i * step;
         const double gain = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
-        out.voxels[at] = image.voxels[at] * float(std::exp(-std::clamp(gain, -kMaxLogGain, kMaxLogGain)));
+        image.voxels[at] *= float(std::exp(-std::clamp(gain, -kMaxLogGain, kMaxLogGain)));
       }
     }
-  return out;
+  });
+  return image;
 }
 
 }  // namespace facenav::segmentation

@@ -36,6 +36,6 @@ TissueModel fitRoughBias(const volume::Volume& image, const Eigen::Vector3d& cen
 TissueModel fitTissue(const volume::Volume& image, const volume::Mask& core,
                       const TissueModel* start = nullptr);
 /// Removes the bias from the image (axis-aligned, cubic voxels).
-volume::Volume corrected(const volume::Volume& image, const TissueModel& model);
+volume::Volume corrected(volume::Volume image, const TissueModel& model);
 
 }  // namespace facenav::segmentation

@@ -58,8 +58,8 @@ float openFluid(const Volume& flat, const Mask& core, const TissueModel& tissue)
 
 /// The image for the search of the surface: its crowns and thin films of fluid are as blurred as in coarse
 /// voxels. The classes are fitted without this blur: where sulci are few, the class of fluid would be lost.
-Volume softened(const Volume& image) {
-  return volume::spread(image, Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
+Volume softened(Volume image) {
+  return volume::spread(std::move(image), Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
 }
 
 constexpr int kDoubtStep = 2;  // voxels between the places where doubt is given
@@ -137,27 +137,29 @@ GrowthStart startFromOutline(const Volume& working, const Mask& outline, double 
   return out;
 }
 
-GrownBrain growBrain(GrowthStart start, const VoxelGrid& scan, TaskMonitor& monitor) {
+std::optional<GrownBrain> growBrain(GrowthStart start, const VoxelGrid& scan, TaskMonitor& monitor,
+                                    const std::function<bool(const Mask&)>& isWanted) {
   const VoxelGrid& grid = start.first.grid;
   const Mask core = erode(start.first, start.core_mm);
-  const Volume part = volume::resample(std::exchange(start.working, {}), grid);
-  const Volume image = atCommonSharpness(part, scan, core, start.rough);
+  Volume image = volume::resample(std::exchange(start.working, {}), grid);
+  image = atCommonSharpness(image, scan, core, start.rough);
   monitor.report("measuring grey and white matter", 0.6);
   // Removes the voxels' noise, which would spread the fluid's class down into air and with it the limit of
   // tissue.
-  const Volume calm = smoothed(image);
+  Volume calm = smoothed(image);
   const TissueModel tissue = fitTissue(calm, core, &start.rough);
   requireTissueContrast(tissue);
   monitor.report("separating the brain", 0.75);
-  const Volume rough_flat = corrected(softened(image), tissue), calm_flat = corrected(calm, tissue);
+  const Volume calm_flat = corrected(std::exchange(calm, {}), tissue);
+  Volume flat = corrected(softened(std::exchange(image, {})), tissue);
   const float open_fluid = openFluid(calm_flat, core, tissue);
-  const Volume flat =
-      calmed(rough_flat, noiseOf(rough_flat, calm_flat, core, tissue), tissue.grey.mean - open_fluid);
+  flat = calmed(flat, noiseOf(flat, calm_flat, core, tissue), tissue.grey.mean - open_fluid);
   BrainGrowth growth = settingsOf<BrainGrowth>();
   growth.search_mm = start.search_mm;
   const Refinement refinement(flat, calm_flat, start.first, tissue, open_fluid, growth);
   GrownBrain out;
   out.mask = refinement.brain();
+  if (!isWanted(out.mask)) return std::nullopt;
   monitor.report("asking how sure the brain's surface is", 0.85);
   out.doubts = doubtsOf(out.mask, refinement, growth);
   return out;

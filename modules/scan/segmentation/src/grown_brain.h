@@ -3,6 +3,9 @@
 // common sharpness, noise reduced, tissue classes fitted. The first mask is BET's surface or the learned
 // prior's outline.
 
+#include <functional>
+#include <optional>
+
 #include "bet_surface.h"
 #include "brain_tissue.h"
 #include "facenav/core/task_monitor.h"
@@ -30,9 +33,11 @@ struct GrownBrain {
   volume::Mask mask;  // on a part of the working grid
   std::vector<BoundaryDoubt> doubts;
 };
-/// Grows the brain. `scan`: the grid of the scan, whose voxel size determines its sharpness. Throws Error "no
-/// brain can be modelled: ..." if grey and white matter do not differ. Move `start` in: its working volume is
-/// released before most memory is needed.
-GrownBrain growBrain(GrowthStart start, const volume::VoxelGrid& scan, TaskMonitor& monitor);
+/// Grows the brain. `scan`: the grid of the scan, whose voxel size determines its sharpness. Returns nothing
+/// if `isWanted` refuses the mask; the doubts, two thirds of the work, are not computed then. Throws Error
+/// "no brain can be modelled: ..." if grey and white matter do not differ. Move `start` in: its working
+/// volume is released before most memory is needed.
+std::optional<GrownBrain> growBrain(GrowthStart start, const volume::VoxelGrid& scan, TaskMonitor& monitor,
+                                    const std::function<bool(const volume::Mask&)>& isWanted);
 
 }  // namespace facenav::segmentation

@@ -8,6 +8,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/volume/for_slices.h"
 #include "facenav/volume/mask_morphology.h"
 #include "head_morphology.h"
 #include "head_threshold.h"
@@ -37,7 +38,8 @@ float crossMean(const Volume& volume, int i, int j, int k) {
 Mask majority(const Mask& fine, const Mask& outer, const Mask& inner, const BlockMeans& coarse) {
   Mask out = fine;
   const std::size_t nx = fine.grid.size[0], nxy = nx * fine.grid.size[1];
-  for (int k = 1; k + 1 < fine.grid.size[2]; ++k)
+  volume::forSlices(fine.grid.size[2] - 2, [&](int before) {
+    const int k = before + 1;
     for (int j = 1; j + 1 < fine.grid.size[1]; ++j)
       for (int i = 1; i + 1 < fine.grid.size[0]; ++i) {
         const std::size_t c = outer.grid.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
@@ -49,6 +51,7 @@ Mask majority(const Mask& fine, const Mask& outer, const Mask& inner, const Bloc
             set += fine.voxels[row - 1] + fine.voxels[row] + fine.voxels[row + 1];
         out.voxels[v] = set >= 14;
       }
+  });
   return out;
 }
 
@@ -57,8 +60,8 @@ Mask refined(const Volume& volume, const BlockMeans& coarse, const OutlinedHead&
   const double shell_mm = 1.01 * coarse.grid.spacing_mm().maxCoeff();
   const Mask inner = erode(head, shell_mm), outer = dilate(head, shell_mm);
   Mask fine{volume.grid, std::vector<std::uint8_t>(volume.voxels.size())};
-  std::size_t v = 0;
-  for (int k = 0; k < volume.grid.size[2]; ++k)
+  volume::forSlices(volume.grid.size[2], [&](int k) {
+    std::size_t v = volume.grid.index(0, 0, k);
     for (int j = 0; j < volume.grid.size[1]; ++j)
       for (int i = 0; i < volume.grid.size[0]; ++i, ++v) {
         const std::size_t c = head.grid.index(i / coarse.block[0], j / coarse.block[1], k / coarse.block[2]);
@@ -67,7 +70,10 @@ Mask refined(const Volume& volume, const BlockMeans& coarse, const OutlinedHead&
         else if (outer.voxels[c] && !outlined.pads.voxels[c])
           fine.voxels[v] = crossMean(volume, i, j, k) > outlined.limits[c];
       }
-  return fillCavities(largestPart(majority(fine, outer, inner, coarse)));
+  });
+  fine = majority(fine, outer, inner, coarse);  // each step's mask is freed before the next one
+  fine = largestPart(fine);
+  return fillCavities(fine);
 }
 
 class HeadSegmenter : public Segmenter {

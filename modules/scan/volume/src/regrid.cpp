@@ -133,23 +133,38 @@ void forRows(const VoxelGrid& from, const VoxelGrid& to, Keep&& keep) {
   });
 }
 
-/// Trilinear value from eight neighbours.
-template <class Value>
+struct AsFloat {
+  template <class Value>
+  float operator()(Value value) const {
+    return float(value);
+  }
+};
+
+/// Height above a floor; 0 for a value that is not finite.
+struct AboveFloor {
+  float floor;
+  float operator()(float value) const { return std::isfinite(value) ? value - floor : 0.f; }
+};
+
+/// Trilinear value from eight neighbours, each as `read` gives it.
+template <class Value, class Read = AsFloat>
 struct Linear {
-  Linear(const std::vector<Value>& values, const VoxelGrid& on)
+  Linear(const std::vector<Value>& values, const VoxelGrid& on, Read how = {})
       : voxels(values),
         grid(on),
+        read(how),
         di(on.size[0] > 1),
         dj(on.size[1] > 1 ? std::size_t(on.size[0]) : 0),
         dk(on.size[2] > 1 ? std::size_t(on.size[0]) * on.size[1] : 0) {}
   float operator()(const Between& at) const {
     const Value* v = &voxels[grid.index(at.low[0], at.low[1], at.low[2])];
-    const auto line = [&](const Value* p) { return mixed(float(p[0]), float(p[di]), at.part[0]); };
+    const auto line = [&](const Value* p) { return mixed(read(p[0]), read(p[di]), at.part[0]); };
     return mixed(mixed(line(v), line(v + dj), at.part[1]), mixed(line(v + dk), line(v + dj + dk), at.part[1]),
                  at.part[2]);
   }
   const std::vector<Value>& voxels;
   const VoxelGrid& grid;
+  Read read;
   std::size_t di, dj, dk;
 };
 
@@ -240,6 +255,13 @@ Volume resample(const Volume& volume, const VoxelGrid& grid) {
   return out;
 }
 
+Volume resampleAbove(const Volume& volume, float floor, const VoxelGrid& grid) {
+  Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
+  const Linear<float, AboveFloor> sample(volume.voxels, volume.grid, {floor});
+  forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at); });
+  return out;
+}
+
 Volume resampleCubic(const Volume& volume, const VoxelGrid& grid) {
   Volume out{grid, std::vector<float>(grid.count()), volume.modality, volume.orientation_source};
   forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = cubicAt(volume, at); });
@@ -250,6 +272,13 @@ Mask resampledAbove(const Volume& volume, float least, const VoxelGrid& grid) {
   Mask out{grid, std::vector<std::uint8_t>(grid.count(), 0 >= least)};
   const Linear<float> sample(volume.voxels, volume.grid);
   forRows(volume.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at) >= least; });
+  return out;
+}
+
+Volume shareOn(const Mask& mask, const VoxelGrid& grid) {
+  Volume out{grid, std::vector<float>(grid.count()), {}, {}};
+  const Linear<std::uint8_t> sample(mask.voxels, mask.grid);
+  forRows(mask.grid, grid, [&](std::size_t v, const Between& at) { out.voxels[v] = sample(at); });
   return out;
 }
 

@@ -87,6 +87,24 @@ TEST(Resample, AboveALevelEqualsTheResampledVolumesVoxels) {
   }
 }
 
+TEST(Resample, AboveAFloorEqualsTheVolumeThatWasLoweredFirst) {
+  volume::Volume scan{{{5, 4, 3}, Eigen::Affine3d::Identity()}, {}, {}, {}};
+  for (std::size_t v = 0; v < scan.grid.count(); ++v) scan.voxels.push_back(float(v * 37 % 101));
+  scan.voxels[7] = std::nanf("");
+  volume::Volume lowered = scan;
+  for (float& value : lowered.voxels) value = std::isfinite(value) ? value - 12.5f : 0.f;
+  const auto grid = volume::isotropicGrid(scan.grid, 0.7);
+  EXPECT_EQ(volume::resampleAbove(scan, 12.5f, grid).voxels, volume::resample(lowered, grid).voxels);
+}
+
+TEST(Resample, TheShareOfAMaskEqualsTheResampledVolumeOfItsVoxels) {
+  volume::Mask mask{{{5, 4, 3}, Eigen::Affine3d::Identity()}, {}};
+  for (std::size_t v = 0; v < mask.grid.count(); ++v) mask.voxels.push_back(v * 37 % 101 > 50);
+  const volume::Volume same{mask.grid, {mask.voxels.begin(), mask.voxels.end()}, {}, {}};
+  const auto grid = volume::isotropicGrid(mask.grid, 0.7);
+  EXPECT_EQ(volume::shareOn(mask, grid).voxels, volume::resample(same, grid).voxels);
+}
+
 TEST(Resample, CubicKeepsTheGridsOwnValuesAndGivesQuadraticsExactly) {
   volume::Volume coarse{{{12, 11, 10}, Eigen::Affine3d(Eigen::Scaling(1.5))}, {}, {}, {}};
   const auto quadratic = [](const Eigen::Vector3d& p) {

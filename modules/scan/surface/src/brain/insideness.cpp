@@ -11,12 +11,8 @@ using volume::Mask;
 using volume::Volume;
 
 Volume insideness(const Mask& mask, double spacing_mm) {
-  Volume inside;
-  inside.grid = mask.grid;
-  inside.voxels.assign(mask.voxels.begin(), mask.voxels.end());
   const double margin_mm = mask.grid.spacing_mm().maxCoeff() + 3 * spacing_mm;
-  inside = volume::resample(inside, volume::gridAround(mask, spacing_mm, margin_mm));
-  return volume::smoothed(std::move(inside));
+  return volume::smoothed(volume::shareOn(mask, volume::gridAround(mask, spacing_mm, margin_mm)));
 }
 
 }  // namespace facenav::surface

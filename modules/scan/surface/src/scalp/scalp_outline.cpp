@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "facenav/core/grouped.h"
+#include "facenav/volume/for_slices.h"
 #include "facenav/volume/vtk_image.h"
 #include "mesh/mesh_polydata.h"
 
@@ -35,20 +36,18 @@ struct Block {
   std::array<int, 3> size;
   std::vector<float> values;
 };
-Block blurAndSample(const Block& in, int axis, int count, double sigma_voxels) {
+
+/// A place along the axis that is mixed into a sample.
+struct Tap {
+  float weight;
+  std::size_t source;
+};
+
+/// Taps of all `count` samples of a line of `n` values, an equal number each.
+std::vector<Tap> tapsAlong(int n, int count, double sigma_voxels) {
   const std::vector<float> kernel = gaussianKernel(sigma_voxels);
-  const int radius = int(kernel.size()) / 2, n = in.size[axis];
-  Block out{in.size, {}};
-  out.size[axis] = count;
-  out.values.assign(std::size_t(out.size[0]) * out.size[1] * out.size[2], 0.f);
-  std::size_t inner = 1, outer = 1;
-  for (int a = 0; a < axis; ++a) inner *= in.size[a];
-  for (int a = axis + 1; a < 3; ++a) outer *= in.size[a];
+  const int radius = int(kernel.size()) / 2;
   const double step = count > 1 ? double(n - 1) / (count - 1) : 0.0;
-  struct Tap {
-    float weight;
-    std::size_t source;
-  };
   std::vector<Tap> taps;
   for (int c = 0; c < count; ++c) {
     const double at = c * step;
@@ -59,18 +58,33 @@ Block blurAndSample(const Block& in, int axis, int count, double sigma_voxels) {
                           (r > -radius ? kernel[r - 1 + radius] * fraction : 0.f),
                       std::size_t(std::clamp(low + r, 0, n - 1))});
   }
+  return taps;
+}
+
+template <class Value>
+Block blurAndSample(const std::array<int, 3>& size, const std::vector<Value>& values, int axis, int count,
+                    double sigma_voxels) {
+  const int n = size[axis];
+  Block out{size, {}};
+  out.size[axis] = count;
+  out.values.assign(std::size_t(out.size[0]) * out.size[1] * out.size[2], 0.f);
+  std::size_t inner = 1;
+  int outer = 1;
+  for (int a = 0; a < axis; ++a) inner *= size[a];
+  for (int a = axis + 1; a < 3; ++a) outer *= size[a];
+  const std::vector<Tap> taps = tapsAlong(n, count, sigma_voxels);
   const std::size_t taps_a_place = taps.size() / std::size_t(count);
-  for (std::size_t o = 0; o < outer; ++o)
-    for (std::size_t c = 0; c < std::size_t(count); ++c) {
-      float* to = &out.values[(o * count + c) * inner];
-      for (std::size_t t = c * taps_a_place; t < (c + 1) * taps_a_place; ++t) {
-        const float* from = &in.values[(o * n + taps[t].source) * inner];
-        if (inner == 1)
-          *to += taps[t].weight * *from;
-        else
-          for (std::size_t i = 0; i < inner; ++i) to[i] += taps[t].weight * from[i];
-      }
+  volume::forSlices(outer * count, [&](int place) {
+    const std::size_t o = std::size_t(place / count), c = std::size_t(place % count);
+    float* to = &out.values[std::size_t(place) * inner];
+    for (std::size_t t = c * taps_a_place; t < (c + 1) * taps_a_place; ++t) {
+      const Value* from = &values[(o * n + taps[t].source) * inner];
+      if (inner == 1)
+        *to += taps[t].weight * float(*from);
+      else
+        for (std::size_t i = 0; i < inner; ++i) to[i] += taps[t].weight * float(from[i]);
     }
+  });
   return out;
 }
 
@@ -140,12 +154,14 @@ TriangleMesh subMesh(const TriangleMesh& mesh, const std::vector<bool>& keep) {
 
 TriangleMesh outlineOf(const Mask& head, double spacing_mm, double blur_mm) {
   const Eigen::Vector3d voxel_mm = head.grid.spacing_mm();
-  Block block{head.grid.size, std::vector<float>(head.voxels.begin(), head.voxels.end())};
+  Block block;
   VoxelGrid grid = head.grid;
   for (int a = 2; a >= 0; --a) {
     const int n = head.grid.size[a];
     const int count = std::max(2, int(std::lround((n - 1) * voxel_mm[a] / spacing_mm)) + 1);
-    block = blurAndSample(block, a, count, blur_mm / voxel_mm[a]);
+    const double sigma_voxels = blur_mm / voxel_mm[a];
+    block = a == 2 ? blurAndSample(head.grid.size, head.voxels, a, count, sigma_voxels)
+                   : blurAndSample(block.size, block.values, a, count, sigma_voxels);
     grid.size[a] = count;
     grid.mri_from_voxel.linear().col(a) =
         head.grid.mri_from_voxel.linear().col(a) * (double(n - 1) / (count - 1));

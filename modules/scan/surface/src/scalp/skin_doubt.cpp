@@ -7,6 +7,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/volume/mask_morphology.h"
+#include "facenav/volume/regrid.h"
 
 namespace facenav::surface {
 namespace {
@@ -16,8 +17,9 @@ constexpr double kInside_mm = 3, kOutside_mm = 5, kDoubtStep_mm = 0.5, kFromSkin
 // brighter, and would move the half level inwards although the skin is clear.
 constexpr double kJustBelow_mm = 1.5;
 constexpr int kDoubtSmoothings = 2;
-constexpr double kFarAir_mm = 15;  // haze does not reach so far from the head
-constexpr std::size_t kFarEvery = 7, kLeastFarVoxels = 1000;
+constexpr double kFarAir_mm = 15;   // haze does not reach so far from the head
+constexpr double kFarEvery_mm = 2;  // distance of the places where it is measured
+constexpr std::size_t kLeastFarPlaces = 1000;
 
 // Standard errors of the skin in mm, fitted; larger values are the safe direction.
 constexpr double kPerShare_mm = 4.5;  // per signal outside the skin, as a share of the tissue's
@@ -54,14 +56,22 @@ Place placeAt(const volume::Volume& scan, const Eigen::Vector3d& p_mm, const Eig
   return place;
 }
 
-/// Level of the air far from the head. nullopt if too few voxels were measured: a value of exactly 0, or one
-/// that most voxels share, was set by a program.
+/// Level of the air far from the head. nullopt if too few places were measured: a value of exactly 0, or one
+/// that most places share, was set by a program.
 std::optional<float> farAir(const volume::Volume& scan, const volume::Mask& head) {
-  const std::vector<float> away_mm = volume::distanceTo(head);
+  // A coarse grid is enough: at 0.5 mm a map of distances would be as large as the scan.
+  const volume::Mask coarse = volume::resample(head, volume::isotropicGrid(head.grid, kFarEvery_mm));
+  const std::vector<float> away_mm = volume::distanceTo(coarse);
   std::vector<float> far;
-  for (std::size_t v = 0; v < away_mm.size(); v += kFarEvery)
-    if (away_mm[v] > float(kFarAir_mm) && scan.voxels[v] != 0) far.push_back(scan.voxels[v]);
-  if (far.size() <= kLeastFarVoxels) return {};
+  std::size_t at = 0;
+  for (int k = 0; k < coarse.grid.size[2]; ++k)
+    for (int j = 0; j < coarse.grid.size[1]; ++j)
+      for (int i = 0; i < coarse.grid.size[0]; ++i, ++at) {
+        if (!(away_mm[at] > float(kFarAir_mm))) continue;
+        const auto value = volume::valueAt(scan, coarse.grid.toMri({double(i), double(j), double(k)}));
+        if (value && *value != 0) far.push_back(*value);
+      }
+  if (far.size() <= kLeastFarPlaces) return {};
   const float air = selectRank(far, far.size() / 2);
   const auto same = std::size_t(std::count(far.begin(), far.end(), air));
   return 2 * same > far.size() ? std::nullopt : std::optional<float>(air);

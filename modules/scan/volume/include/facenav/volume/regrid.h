@@ -18,12 +18,16 @@ std::optional<Mask> reordered(const Mask& mask, const VoxelGrid& grid);
 
 /// Resamples trilinearly onto `grid` (0 outside). Values are not pre-smoothed for a coarser `grid`.
 Volume resample(const Volume& volume, const VoxelGrid& grid);
+/// Resamples trilinearly what each value lies above `floor` (0 outside, and where a value is not finite).
+Volume resampleAbove(const Volume& volume, float floor, const VoxelGrid& grid);
 /// Resamples by cubic convolution (Keys 1981, a = -1/2) onto `grid` (0 outside). It keeps edges that
 /// trilinear interpolation between coarse voxels would blur; it may overshoot beside an edge by a few
 /// hundredths.
 Volume resampleCubic(const Volume& volume, const VoxelGrid& grid);
 /// The voxels of `grid` where the trilinearly interpolated volume (0 outside) is at least `least`.
 Mask resampledAbove(const Volume& volume, float least, const VoxelGrid& grid);
+/// The mask's share of each place of `grid`, 0 to 1, interpolated trilinearly (0 outside).
+Volume shareOn(const Mask& mask, const VoxelGrid& grid);
 /// Resamples a mask onto `grid`: a voxel is set if the trilinearly interpolated mask is at least 0.5 there.
 Mask resample(const Mask& mask, const VoxelGrid& grid);
 
