@@ -1,5 +1,6 @@
 // facenav field CASE --target NAME --coil COIL: the electric field of a planned pose on the cortex; the best
-// pose, the comparison with an imported field, and the output by field. Nothing in the case is changed.
+// pose, the comparison with an imported field, and the output by field. The plan is not changed; the model of
+// the head is built and kept in the case where it is missing.
 
 #include <chrono>
 
@@ -7,7 +8,9 @@
 #include "commands/field_print.h"
 #include "facenav/atlas/brain_template.h"
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
 #include "facenav/core/standard_output.h"
+#include "facenav/prepare/case_field.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
 
@@ -46,9 +49,9 @@ steps::LabelOf labelsOf(const casefile::CaseStore& store) {
 
 class FieldSteps {
  public:
-  FieldSteps(const FieldRequest& request, bool is_quiet)
+  FieldSteps(const FieldRequest& request, Context& context)
       : request_(request),
-        is_quiet_(is_quiet),
+        is_quiet_(context.is_quiet),
         store_(casefile::CaseStore::open(request.case_folder.empty() ? request.case_option
                                                                      : request.case_folder)),
         plan_(store_.targets()) {
@@ -58,6 +61,7 @@ class FieldSteps {
     report_.shows_arrows = request.shows_arrows;
     surfaces_ = steps::fieldSurfaces(store_);
     report_.has_sulci = surfaces_.has_sulci;
+    if (request.tier != 0) buildShells(context.monitor);
     head_ = headAt(report_.target);
     report_.head = head_.get();
   }
@@ -81,6 +85,19 @@ class FieldSteps {
   }
 
  private:
+  /// Builds the three shells if the case can have them and does not.
+  void buildShells(TaskMonitor& monitor) const {
+    if (!steps::canHaveField(store_) || steps::keptField(store_)) return;
+    try {
+      steps::buildField(store_, monitor);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      if (request_.tier) throw;
+      logWarning(std::string("the local sphere is used: ") + error.what());
+    }
+  }
+
   std::unique_ptr<steps::HeadField> headAt(const guidance::Target& target) const {
     std::optional<steps::FieldTier> wanted;
     if (request_.tier) wanted = steps::FieldTier(*request_.tier);
@@ -169,7 +186,7 @@ void addField(CLI::App& app, Context& context) {
     if (!request->output.empty() && !steps::isFieldName(request->output))
       throw WrongUsage("'" + request->output.string() + "' is no name of a field",
                        "write .vtp, .msh, .nii or .nii.gz");
-    FieldSteps(*request, context.is_quiet).run();
+    FieldSteps(*request, context).run();
   });
 }
 

@@ -75,6 +75,23 @@ class PrepareQueueTest : public ::testing::Test {
   std::unique_ptr<PrepareQueue> queue_;
 };
 
+TEST_F(PrepareQueueTest, TheFieldIsBuiltAfterAllCasesAndNeverDuringATreatment) {
+  std::vector<std::string> built;
+  services_.buildField = [&](const fs::path& folder, TaskMonitor&) {
+    EXPECT_TRUE(fs::exists(folder / "case.json"));
+    EXPECT_EQ(running_, 0);
+    built.push_back(folder.filename().string());
+  };
+  queue_->setHeld(true);
+  add("a");
+  add("b");
+  queue_->setHeld(false);
+  EXPECT_TRUE(fixtures::waitFor([&] { return built.size() == 2; }));
+  EXPECT_TRUE(waitUntilIdle());
+  add("c");
+  EXPECT_TRUE(fixtures::waitFor([&] { return built.size() == 3; }));
+}
+
 TEST_F(PrepareQueueTest, SeveralDropsArePreparedOneAtATimeFromTheirRecommendedSeries) {
   add("a");
   add("b");

@@ -37,7 +37,7 @@ TEST_F(Field, SaysStrengthPlaceAndModel) {
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output,
               AllOf(HasSubstr("figure-8 70 mm (built in), 42 dipoles"), HasSubstr("tier 0: a sphere"),
-                    HasSubstr("usual error 16 %"), HasSubstr("at target"), HasSubstr("V/m at 1 A/us)"),
+                    HasSubstr("usual error 28 %"), HasSubstr("at target"), HasSubstr("V/m at 1 A/us)"),
                     HasSubstr("maximum"), HasSubstr("above 90 %")));
 }
 
@@ -85,7 +85,7 @@ TEST_F(Field, RefusesInOneLine) {
   };
   expect("--target none --coil round", 1, "none");
   expect("--target deep --coil figure9", 1, "give figure8-70, round, or a .ccd");
-  expect("--target deep --coil round --tier 1", 1, "no field model of tier 1");
+  expect("--target deep --coil round --tier 1", 1, "three shells are not built");
   expect("--target deep --coil round --output 60", 2, "give --didt");
   expect("--target deep --coil round --didt 50 --output 60", 2, "excludes");
   expect("--target deep --coil round -o E.txt", 2, "no name of a field");

@@ -78,7 +78,8 @@ const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& ser
   return found == series.end() ? nullptr : &*found;
 }
 
-PrepareQueue::PrepareQueue(const Services& services, QObject* parent) : QObject(parent), services_(services) {
+PrepareQueue::PrepareQueue(const Services& services, QObject* parent)
+    : QObject(parent), services_(services), fields_(services) {
   connect(&tasks_, &TaskRunner::progressed, this, [this](const QString& step, double fraction) {
     if (auto* running = find(running_)) {
       running->step = step;
@@ -177,9 +178,11 @@ void PrepareQueue::setHeld(bool is_held) {
 }
 
 void PrepareQueue::begin() {
+  if (is_held_) fields_.setHeld(true);
   if (is_held_ || tasks_.isRunning() || cases_folder_.isEmpty()) return;
   const auto next =
       std::find_if(jobs_.begin(), jobs_.end(), [](const auto& j) { return j.state == JobState::queued; });
+  fields_.setHeld(next != jobs_.end());
   if (next == jobs_.end()) return;
   next->state = JobState::preparing;
   next->step.clear();
@@ -220,6 +223,7 @@ void PrepareQueue::begin() {
                    running_ = 0;
                    remove(id);
                    emit prepared(folder, case_id);
+                   fields_.add(folder);
                    QMetaObject::invokeMethod(this, &PrepareQueue::begin, Qt::QueuedConnection);
                  };
                });

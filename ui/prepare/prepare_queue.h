@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "shell/services.h"
+#include "prepare/field_queue.h"
 #include "shell/task_runner.h"
 
 class QLockFile;
@@ -86,6 +87,7 @@ class PrepareQueue : public QObject {
 
   const Services& services_;
   TaskRunner tasks_;
+  FieldQueue fields_;
   std::deque<PrepareJob> jobs_;
   QString cases_folder_;
   QElapsedTimer elapsed_;

@@ -5,6 +5,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/dicom/patient.h"
+#include "facenav/prepare/case_field.h"
 #include "facenav/prepare/prepare_case.h"
 #include "facenav/setup/settle_camera.h"
 
@@ -54,6 +55,10 @@ void addPreparing(Services& services, const MakeMethods& makeMethods) {
     request.brain_segmenter = methods.brain_segmenters.defaultName();
     request.replace = std::filesystem::exists(order.case_folder / "case.json");
     steps::prepareCase(methods, request, monitor);
+  };
+  services.buildField = [](const std::filesystem::path& case_folder, TaskMonitor& monitor) {
+    const auto store = casefile::CaseStore::open(case_folder);
+    if (steps::canHaveField(store) && !steps::keptField(store)) steps::buildField(store, monitor);
   };
 }
 

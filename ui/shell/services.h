@@ -61,6 +61,8 @@ struct Services {
       fetchFromArchive;
   /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
+  /// Builds the electric field's model of a case. Empty: it is not built.
+  std::function<void(const std::filesystem::path& case_folder, TaskMonitor&)> buildField;
   /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: the coil whose
   /// marker the pictures may show; null: the case's. Stores the result in the case.
   std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,

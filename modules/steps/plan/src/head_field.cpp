@@ -1,12 +1,21 @@
 #include "facenav/plan/head_field.h"
 
+#include <array>
+#include <cmath>
+#include <map>
+
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/efield/local_sphere.h"
 #include "facenav/efield/primary_field.h"
+#include "facenav/prepare/case_field.h"
 
 namespace facenav::steps {
 namespace {
+
+// Three shells leave out the fluid round the brain, which changes the field by this much (Stenroos & Koponen
+// 2019).
+constexpr double kWithoutFluid = 0.23;
 
 class SphereHead : public HeadField {
  public:
@@ -17,7 +26,7 @@ class SphereHead : public HeadField {
                      sphere_.is_local ? "skull under the coil" : "whole skull", sphere_.radius_mm);
   }
   // Against three shells on one real head, 25 places: 16 %, with all points of the skull 24 %.
-  double usualError() const override { return sphere_.is_local ? 0.16 : 0.24; }
+  double usualError() const override { return std::hypot(sphere_.is_local ? 0.16 : 0.24, kWithoutFluid); }
   Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
                       const Eigen::Matrix3Xd& points_mm) const override {
     return efield::sphereField(coil, mri_T_coil, sphere_.centre_mm, points_mm);
@@ -25,6 +34,81 @@ class SphereHead : public HeadField {
 
  private:
   efield::LocalSphere sphere_;
+};
+
+/// Numbers of places by cube, to find the nearest one.
+class Places {
+ public:
+  explicit Places(const Eigen::Matrix3Xf& places_mm) : places_mm_(places_mm) {
+    for (Eigen::Index i = 0; i < places_mm.cols(); ++i) by_cube_[cubeOf(places_mm.col(i))].push_back(i);
+  }
+  Eigen::Index nearest(const Eigen::Vector3f& p_mm) const {
+    const auto [x, y, z] = cubeOf(p_mm);
+    Nearest best;
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz) {
+          const auto there = by_cube_.find({x + dx, y + dy, z + dz});
+          if (there == by_cube_.end()) continue;
+          for (const Eigen::Index i : there->second) best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
+        }
+    if (best.number >= 0 && best.off_mm2 <= kCube_mm * kCube_mm) return best.number;
+    for (Eigen::Index i = 0; i < places_mm_.cols(); ++i)  // deep in the brain
+      best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
+    return best.number;
+  }
+
+ private:
+  static constexpr float kCube_mm = 10.0f;
+  using Cube = std::array<int, 3>;
+  struct Nearest {
+    Eigen::Index number = -1;
+    float off_mm2 = 0;
+    void take(Eigen::Index i, float d_mm2) {
+      if (number < 0 || d_mm2 < off_mm2) number = i, off_mm2 = d_mm2;
+    }
+  };
+  static Cube cubeOf(const Eigen::Vector3f& p_mm) {
+    const Eigen::Vector3f c = (p_mm / kCube_mm).array().floor();
+    return {int(c.x()), int(c.y()), int(c.z())};
+  }
+  Eigen::Matrix3Xf places_mm_;
+  std::map<Cube, std::vector<Eigen::Index>> by_cube_;
+};
+
+/// Three shells give the field at the kept points of the cortex. Elsewhere their difference from the sphere
+/// at the nearest kept point is added to the sphere's field: the difference changes slowly.
+class ShellsHead : public HeadField {
+ public:
+  ShellsHead(efield::CortexField shells, const efield::LocalSphere& sphere)
+      : shells_(std::move(shells)),
+        places_(shells_.points_mm),
+        at_mm_(shells_.points_mm.cast<double>()),
+        centre_mm_(sphere.centre_mm) {}
+  FieldTier tier() const override { return FieldTier::three_shells; }
+  std::string inWords() const override { return "scalp, skull and brain of the case (three shells)"; }
+  double usualError() const override { return kWithoutFluid; }
+  Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
+                      const Eigen::Matrix3Xd& points_mm) const override {
+    const Eigen::Matrix3Xf shells = efield::fieldAt(shells_, coil, mri_T_coil);
+    std::vector<Eigen::Index> nearest(std::size_t(points_mm.cols()));
+    Eigen::Matrix3Xd kept_mm(3, points_mm.cols());
+    for (Eigen::Index i = 0; i < points_mm.cols(); ++i) {
+      nearest[std::size_t(i)] = places_.nearest(points_mm.col(i).cast<float>());
+      kept_mm.col(i) = at_mm_.col(nearest[std::size_t(i)]);
+    }
+    Eigen::Matrix3Xd field = efield::sphereField(coil, mri_T_coil, centre_mm_, points_mm) -
+                             efield::sphereField(coil, mri_T_coil, centre_mm_, kept_mm);
+    for (Eigen::Index i = 0; i < field.cols(); ++i)
+      field.col(i) += shells.col(nearest[std::size_t(i)]).cast<double>();
+    return field;
+  }
+
+ private:
+  efield::CortexField shells_;
+  Places places_;
+  Eigen::Matrix3Xd at_mm_;
+  Eigen::Vector3d centre_mm_;
 };
 
 }  // namespace
@@ -48,10 +132,16 @@ FieldSurfaces fieldSurfaces(const casefile::CaseStore& store) {
 
 std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const FieldSurfaces& surfaces,
                                      const CoilPose& near, std::optional<FieldTier> wanted) {
-  if (wanted && *wanted != FieldTier::local_sphere)
-    throw Error("the case has no field model of tier " + std::to_string(int(*wanted)),
-                store.folder().string(), "tier 0 (a local sphere) is always there");
-  return std::make_unique<SphereHead>(efield::localSphere(surfaces.skull_mm, near.translation_mm()));
+  const auto sphere = efield::localSphere(surfaces.skull_mm, near.translation_mm());
+  if (wanted == FieldTier::local_sphere) return std::make_unique<SphereHead>(sphere);
+  if (wanted && *wanted != FieldTier::three_shells)
+    throw Error("no field model of tier " + std::to_string(int(*wanted)) + " is built yet",
+                store.folder().string(), "use tier 1 (three shells) or 0 (a local sphere)");
+  if (auto shells = keptField(store)) return std::make_unique<ShellsHead>(std::move(*shells), sphere);
+  if (wanted)
+    throw Error("the case's three shells are not built, or were built before its masks changed",
+                store.folder().string(), "build them ('facenav field' does), or use tier 0");
+  return std::make_unique<SphereHead>(sphere);
 }
 
 CoilPose coilPoseOf(const guidance::Target& target) {

@@ -23,13 +23,6 @@ std::string modelOf(const casefile::CaseStore& store) {
   return model;
 }
 
-bool hasItsFiles(const casefile::CaseStore& store) {
-  if (!store.hasMri()) return false;
-  for (const char* name : {"brain_mask.nii.gz", "head_mask.nii.gz", "scalp.vtp", "cortex.vtp"})
-    if (!std::filesystem::exists(store.folder() / name)) return false;
-  return true;
-}
-
 std::vector<std::size_t> onePerCube(const surface::DetailedCortex& cortex, double cube_mm) {
   std::set<std::tuple<int, int, int>> taken;
   std::vector<std::size_t> chosen;
@@ -44,6 +37,13 @@ std::vector<std::size_t> onePerCube(const surface::DetailedCortex& cortex, doubl
 
 std::filesystem::path fieldFile(const casefile::CaseStore& store) {
   return store.folder() / "electric_field.bin";
+}
+
+bool canHaveField(const casefile::CaseStore& store) {
+  if (!store.hasMri()) return false;
+  for (const char* name : {"brain_mask.nii.gz", "head_mask.nii.gz", "scalp.vtp", "cortex.vtp"})
+    if (!std::filesystem::exists(store.folder() / name)) return false;
+  return true;
 }
 
 std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex) {
@@ -73,7 +73,7 @@ efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& mo
 }
 
 std::optional<efield::CortexField> keptField(const casefile::CaseStore& store) {
-  if (!std::filesystem::exists(fieldFile(store)) || !hasItsFiles(store)) return std::nullopt;
+  if (!std::filesystem::exists(fieldFile(store)) || !canHaveField(store)) return std::nullopt;
   const std::string model = modelOf(store);
   if (efield::modelOfFile(fieldFile(store)) != model) return std::nullopt;
   return efield::readCortexField(fieldFile(store), model);

@@ -169,7 +169,7 @@ TEST_F(CortexFieldTest, SaysWhatACaseLacks) {
   const auto bare = casefile::CaseStore::create(folder_.path() / "bare", testing::ballCase(), {}, false);
   EXPECT_THAT(refusalOf([&] { fieldSurfaces(bare); }), HasSubstr("no brain model"));
   EXPECT_THAT(refusalOf([&] { headField(store_, surfaces_, coilPoseOf(target_), FieldTier::three_shells); }),
-              HasSubstr("no field model of tier 1"));
+              HasSubstr("three shells are not built"));
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ std::filesystem::path fieldFile(const casefile::CaseStore& store);
 /// in each cube of a grid. The order is that of CortexField::points_mm.
 std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex);
 
+/// True if the case has what the model is built from: MRI, masks, skin and cortex.
+bool canHaveField(const casefile::CaseStore& store);
+
 /// Builds the field's model from the case and writes its file, whole or not at all. Throws Error: no MRI, no
 /// brain mask or cortex, a head that gives no model (efield/head_model.h); Cancelled.
 efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& monitor);
