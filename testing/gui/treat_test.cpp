@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QtTest/QTest>
+#include <algorithm>
 #include <future>
 #include <mutex>
 #include <set>
@@ -18,6 +19,7 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/scene/display.h"
+#include "shell/elided_label.h"
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
 #include "treat/camera_row.h"
@@ -104,9 +106,45 @@ TEST(Treat, TheCameraPicturesAreShownHoweverSlowlyTheSceneIsRendered) {
     QTest::qSleep(300);  // longer than the age limit of a pose
   });
   workspace.findChild<SceneView*>()->scene().renderer()->AddObserver(vtkCommand::StartEvent, slowly);
-  EXPECT_TRUE(fixtures::waitFor([&] { return shown >= 8; })) << drawn << " drawn, " << shown << " shown";
-  EXPECT_GE(scenes, 2);
+  EXPECT_TRUE(fixtures::waitFor([&] { return shown >= 8 && scenes >= 3; }))
+      << drawn << " drawn, " << shown << " shown";
   EXPECT_GT(drawn, scenes) << "pictures are drawn while the scene rests";
+  treat.end();
+}
+
+TEST(Treat, AClickSaysAtOnceWhatItDoes) {
+  if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  testing::TemporaryFolder folder;
+  std::promise<void> may_align;
+  Services services = fakeServices();
+  services.align = [plain = services.align, gate = std::shared_future<void>(may_align.get_future())](
+                       const auto& store, const auto& recording, const auto* coil, auto& task) {
+    gate.wait_for(std::chrono::seconds(20));
+    return plain(store, recording, coil, task);
+  };
+  MainWindow window(services);
+  window.show();
+  window.openCase(QString::fromStdString(plannedCase(folder.path(), true).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 240).string()), false);
+  window.setWorkspace(Workspace::treat);
+  const auto* figures = window.findChild<FiguresPanel*>();
+  auto* page = window.findChild<TreatWorkspace*>();
+  const auto says = [&](const QString& words) {
+    const auto labels = page->findChildren<ElidedLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const auto* label) { return label->text().contains(words); });
+  };
+  EXPECT_TRUE(fixtures::waitFor([&] { return says("ALIGNING"); }));
+  EXPECT_TRUE(window.tasks().isRunning());
+  may_align.set_value();
+  ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isAligned() && !window.tasks().isRunning(); }));
+  EXPECT_TRUE(fixtures::waitFor([&] { return figures->instruction().contains("READY"); }));
+  EXPECT_FALSE(says("ALIGNING"));
+  auto& treat = page->presenter();
+  treat.start();
+  EXPECT_TRUE(says("STARTING")) << "said before the trackers are ready";
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat.isRunning(); }));
+  EXPECT_TRUE(treat.doingWords().isEmpty());
   treat.end();
 }
 

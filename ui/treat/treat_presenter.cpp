@@ -24,6 +24,14 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
           },
           std::move(draw)) {
   connect(&model_, &CaseModel::opened, this, &TreatPresenter::forgetCase);
+  const auto forget_doing = [this] {
+    if (tasks_.isRunning() || doing_.isEmpty()) return;  // a task may have started the next one
+    doing_.clear();
+    emit changed();
+  };
+  for (const auto over : {&TaskRunner::succeeded, &TaskRunner::cancelled})
+    connect(&tasks_, over, this, forget_doing);
+  connect(&tasks_, &TaskRunner::failed, this, forget_doing);
   cameras_.useCoilOf([this] { return coil_.model(); });
   connect(&cameras_, &CamerasPresenter::opened, this, &TreatPresenter::useCameras);
   connect(&cameras_, &CamerasPresenter::closed, this, &TreatPresenter::forgetCameras);
@@ -60,20 +68,28 @@ void TreatPresenter::forgetCase() {
 }
 
 void TreatPresenter::openRecording(const QString& folder) {
-  tasks_.start(tr("Opening the recording"), [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
-    auto film = std::make_shared<steps::TreatmentFilm>(
-        steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
-    return [this, film] {
-      stop("another recording was opened");
-      recording_ = film->recording;
-      is_live_ = false;
-      rig_fault_.clear();
-      coil_.useFilm(*film);
-      aligned_ = {};
-      emit changed();
-      cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
-    };
-  });
+  startTask(
+      tr("Opening the recording"), tr("OPENING THE RECORDING"),
+      [this, folder](TaskMonitor&) -> TaskRunner::Delivery {
+        auto film = std::make_shared<steps::TreatmentFilm>(
+            steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
+        return [this, film] {
+          stop("another recording was opened");
+          recording_ = film->recording;
+          is_live_ = false;
+          rig_fault_.clear();
+          coil_.useFilm(*film);
+          aligned_ = {};
+          emit changed();
+          cameras_.show(film->recording);  // last, because it throws if the folder has vanished meanwhile
+        };
+      });
+}
+
+void TreatPresenter::startTask(const QString& title, const QString& doing, TaskRunner::Work work) {
+  if (!tasks_.start(title, std::move(work))) return;
+  doing_ = doing;
+  emit changed();
 }
 
 /// Uses the cameras; the old alignment is no longer valid.
@@ -125,17 +141,16 @@ void TreatPresenter::align(bool then_start) {
     if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
     return;
   }
-  tasks_.start(
-      tr("Aligning the head"),
-      [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
-       recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
-        steps::requireSignOff(store, is_overridden);
-        return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
-          use(aligned);
-          emit changed();
-          if (then_start) start();
-        };
-      });
+  startTask(tr("Aligning the head"), tr("ALIGNING: the face is measured and fitted to the scan"),
+            [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
+             recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+              steps::requireSignOff(store, is_overridden);
+              return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
+                use(aligned);
+                emit changed();
+                if (then_start) start();
+              };
+            });
 }
 
 void TreatPresenter::use(const AlignedHead& aligned) {
@@ -157,20 +172,20 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
   }
   auto recording = *recording_;
   recording.capture.reset();
-  tasks_.start(tr("Going on with the session"),
-               [this, session, recording, store = model_.current().store, coil = coil_.model(),
-                is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
-                 steps::requireSignOff(store, is_overridden);
-                 const auto folder = steps::sessionToGoOnWith(store.folder(), session.name).folder;
-                 return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
-                         target = QString::fromStdString(session.target)] {
-                   use(aligned);
-                   chooseTarget(target);
-                   if (!target.isEmpty() && !this->target())
-                     emit refused(tr("%1 is no longer in the plan: choose a target").arg(target));
-                   startWith(folder);
-                 };
-               });
+  startTask(tr("Going on with the session"), tr("ALIGNING: the face is fitted as in that session"),
+            [this, session, recording, store = model_.current().store, coil = coil_.model(),
+             is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+              steps::requireSignOff(store, is_overridden);
+              const auto folder = steps::sessionToGoOnWith(store.folder(), session.name).folder;
+              return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
+                      target = QString::fromStdString(session.target)] {
+                use(aligned);
+                chooseTarget(target);
+                if (!target.isEmpty() && !this->target())
+                  emit refused(tr("%1 is no longer in the plan: choose a target").arg(target));
+                startWith(folder);
+              };
+            });
 }
 
 void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
@@ -184,11 +199,11 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
   steps::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
-  tasks_.start(tr("Starting the trackers"),
-               [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
-                 const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
-                 return [this, prepared] { begin(*prepared); };
-               });
+  startTask(tr("Starting the trackers"), tr("STARTING: the trackers get ready"),
+            [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
+              const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
+              return [this, prepared] { begin(*prepared); };
+            });
 }
 
 /// Begins a session. One that ended by itself still exists with its log, so it is ended first.

@@ -142,6 +142,8 @@ class TreatPresenter : public QObject {
   /// Warning that the chosen cameras or calibration differ from the opened ones, to which pictures and
   /// alignment belong. Empty if they are the same.
   QString otherChoiceWords() const { return is_live_ ? cameras_.otherChoiceWords() : QString(); }
+  /// What a click started and is not done yet, "ALIGNING: ..."; empty if nothing.
+  QString doingWords() const { return tasks_.isRunning() ? doing_ : QString(); }
   /// True if aligned. An alignment that was judged wrong does not count: the next session needs another one.
   bool isAligned() const { return aligned_.outcome != nullptr && !is_judged_wrong_; }
   bool isRunning() const { return treatment_ && !treatment_->session().hasEnded(); }
@@ -195,6 +197,8 @@ class TreatPresenter : public QObject {
 
  private:
   void startWith(const std::filesystem::path& goes_on);
+  /// Starts a task; `doing`: what the page says until it is done.
+  void startTask(const QString& title, const QString& doing, TaskRunner::Work work);
   /// Refuses with words if the cameras are not those that were opened, or have moved. Returns false
   /// otherwise.
   bool refuseCameras();
@@ -224,7 +228,7 @@ class TreatPresenter : public QObject {
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;
-  QString target_, pulse_source_;
+  QString target_, pulse_source_, doing_;
   std::optional<guidance::Target> site_;
   std::optional<double> intensity_pct_;
   pictures::OverlayWorker overlays_;

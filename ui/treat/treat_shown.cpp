@@ -7,15 +7,17 @@ namespace facenav::ui {
 /// The newest state in words; before guidance: what is missing for it.
 ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
   ReadOut read_out = makeReadOut(state);
+  const QString doing = presenter_.isRunning() ? QString() : presenter_.doingWords();
   if (was_started) {
     if (presenter_.isPaused()) return whilePaused(read_out, presenter_.pauseWords());
     if (!presenter_.hasEnded() || !state.failure.empty()) return read_out;
-    read_out.instruction = tr("RECORDING ENDED: end the session, or start again");
+    read_out.instruction = doing.isEmpty() ? tr("RECORDING ENDED: end the session, or start again") : doing;
     read_out.level = Level::idle;
     return read_out;
   }
   const bool has_moved = hasMoved();
-  read_out.instruction = has_moved                ? tr("CAMERAS MOVED: repair them (step 1)")
+  read_out.instruction = !doing.isEmpty()         ? doing
+                         : has_moved              ? tr("CAMERAS MOVED: repair them (step 1)")
                          : !model_.isOpen()       ? tr("NO CASE OPEN")
                          : !presenter_.mayTreat() ? tr("NOT SIGNED OFF")
                          : !presenter_.otherChoiceWords().isEmpty()

@@ -227,8 +227,10 @@ void TreatWorkspace::showSteps() {
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
   showCoils();
-  words_->setParts(model_.isOpen() ? QStringList{presenter_.recordingWords(), presenter_.alignmentWords()}
-                                   : QStringList{tr("open a case first (Ctrl+O)")});
+  const QString doing = presenter_.doingWords();
+  words_->setParts(!doing.isEmpty()  ? QStringList{doing}
+                   : model_.isOpen() ? QStringList{presenter_.recordingWords(), presenter_.alignmentWords()}
+                                     : QStringList{tr("open a case first (Ctrl+O)")});
   target_->clear();
   if (model_.isOpen())
     for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
