@@ -13,6 +13,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "facenav/report/local_time.h"
@@ -113,7 +114,11 @@ void SessionsPanel::makePulses() {
   pulses_->setColumnWidth(PulseTable::kNumber, sized(56));
   pulses_->setColumnWidth(PulseTable::kState, sized(104));
   pulses_->setColumnWidth(PulseTable::kTarget, sized(110));
-  pulses_->horizontalHeader()->setStretchLastSection(true);
+  auto* header = pulses_->horizontalHeader();
+  header->ensurePolished();
+  for (int i = 0; i < header->count(); ++i)  // every heading is whole
+    header->resizeSection(i, std::max(header->sectionSize(i), header->sectionSizeHint(i)));
+  header->setStretchLastSection(true);
   connect(pulses_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) {
             if (row.isValid()) presenter_.mark(table_->numberAt(sorted_->mapToSource(row).row()));
@@ -177,7 +182,7 @@ QWidget* SessionsPanel::makeEdits() {
   column->setContentsMargins(0, 0, 0, 0);
   auto* fields = new QHBoxLayout;
   reason_ = new QLineEdit(box);
-  reason_->setPlaceholderText(tr("reason to exclude the chosen pulses"));
+  reason_->setPlaceholderText(tr("reason to exclude"));
   by_ = new QLineEdit(box);
   by_->setPlaceholderText(tr("by"));
   by_->setToolTip(tr("your name or initials; kept with the change"));
