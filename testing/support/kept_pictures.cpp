@@ -2,9 +2,12 @@
 
 #include <QFile>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QWidget>
 #include <algorithm>
 #include <cstdlib>
+
+#include "shell/users_words.h"
 
 namespace facenav::testing {
 namespace {
@@ -14,13 +17,19 @@ constexpr double kLeastNoise = 0.5;  // grey levels: the rounding of a block
 constexpr double kTolerance = 6;     // times the noise
 const char* const kNoise = "noise";  // text in the PNG
 
+bool changes(const QWidget& part, const QStringList& hidden) {
+  static const QRegularExpression kMoment("[0-9]{8}T[0-9]{6}Z");
+  return hidden.contains(part.objectName()) || hidden.contains(part.accessibleName()) ||
+         ui::holdsUsersWords(part) || part.accessibleName().contains(kMoment);
+}
+
 }  // namespace
 
 QImage smallPicture(QWidget& window, const QStringList& hidden) {
   QImage picture = window.grab().toImage();
   QPainter painter(&picture);
   for (const auto* part : window.findChildren<QWidget*>())
-    if (part->isVisible() && (hidden.contains(part->objectName()) || hidden.contains(part->accessibleName())))
+    if (part->isVisible() && changes(*part, hidden))
       painter.fillRect(QRect(part->mapTo(&window, QPoint()), part->size()), Qt::gray);
   painter.end();
   return picture.scaled(kWidth_px, kHeight_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
@@ -54,6 +63,10 @@ QString KeptPictures::file(const QString& name) const {
 
 double KeptPictures::tolerance(const QString& name) const {
   return kTolerance * std::max(kLeastNoise, QImage(file(name)).text(kNoise).toDouble());
+}
+
+double KeptPictures::differenceFrom(const QString& name, const QImage& picture) const {
+  return difference(QImage(file(name)), picture);
 }
 
 QString KeptPictures::show(const QString& name, const QImage& picture) const {

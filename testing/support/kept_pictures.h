@@ -12,7 +12,7 @@ class QWidget;
 namespace facenav::testing {
 
 /// Grey picture of the window, a quarter of 1366 x 768. `hidden`: object or accessible names of the parts
-/// that are painted over.
+/// that are painted over. So are parts with words of a person, and those named by a moment in UTC.
 QImage smallPicture(QWidget& window, const QStringList& hidden);
 
 /// Largest mean difference of a block of 8 x 8 pixels, in grey levels; 255 if the sizes differ.
@@ -29,6 +29,8 @@ class KeptPictures {
   Use use() const { return use_; }
   /// Allowed difference from the kept picture, grey levels: a multiple of its noise.
   double tolerance(const QString& name) const;
+  /// Difference from the kept picture, grey levels; 255 if there is none.
+  double differenceFrom(const QString& name, const QImage& picture) const;
   /// How the picture differs from the kept one, in words; empty if it does not. Other uses write the file.
   QString show(const QString& name, const QImage& picture) const;
 

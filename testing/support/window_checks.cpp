@@ -30,6 +30,7 @@ namespace {
 constexpr int kWords = 50;       // letters of a text that a fault quotes
 constexpr int kEdge_px = 3;      // border of a button and its distance from the text
 constexpr int kRounding_px = 1;  // of sizes in text units
+constexpr int kStill_px = 3;     // a button that moves less stays under the mouse
 
 /// True for parts that Qt lays out inside a widget of its own: viewports, bars, the line of a spin box.
 bool isQtsOwn(const QWidget& widget) {
@@ -167,7 +168,7 @@ QStringList faultsOf(const QHeaderView& header) {
   for (int i = 0; i < header.count(); ++i) {
     const QString words = header.model()->headerData(i, header.orientation()).toString();
     if (header.isSectionHidden(i) || words.isEmpty()) continue;
-    QSize needed(QFontMetrics(font).horizontalAdvance(words) + 2 * margin_px, 0);
+    QSize needed = QFontMetrics(font).size(0, words) + QSize(2 * margin_px, 0);  // of one or more lines
     if (header.isSortIndicatorShown() && header.sortIndicatorSection() == i)
       needed.rwidth() += header.style()->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, &header);
     const QSize room(header.sectionSize(i), header.height());
@@ -275,7 +276,7 @@ QStringList ButtonPlaces::moved(const QPoint& mouse) const {
     for (const auto& was : places_) {
       if (was.button != now.button) continue;
       const QPoint by = now.at.topLeft() - was.at.topLeft();
-      if (by.manhattanLength() > kRounding_px)
+      if (by.manhattanLength() > kStill_px)
         faults << QString("%1 moved by %2,%3 px")
                       .arg(nameOf(*now.button, now.button->text()))
                       .arg(by.x())

@@ -21,8 +21,8 @@ QStringList misplacedParts(const QWidget& window);
 class ButtonPlaces {
  public:
   explicit ButtonPlaces(const QWidget& window);
-  /// Buttons that are still in sight at another place. `mouse`: where the mouse was pressed, in the window;
-  /// a button under it must not be another one than before.
+  /// Buttons that are still in sight but lie more than 3 px elsewhere. `mouse`: where the mouse was pressed,
+  /// in the window; a button under it must not be another one than before.
   QStringList moved(const QPoint& mouse) const;
 
  private:

@@ -1,7 +1,7 @@
 #include "facenav/casefile/sign_off.h"
 #include "facenav/dicom/series.h"
 #include "facenav/volume/nifti.h"
-#include "gui/treat_fixtures.h"
+#include "gui/home_fixtures.h"
 #include "jobs.h"
 #include "registrations.h"
 
@@ -10,7 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRecordedFrames = 1500;
 constexpr double kHandle_rad = 0.8, kGap_mm = 4;
 
 /// The point of the brain's surface that is farthest to the upper right.
@@ -26,7 +25,7 @@ Point<Mri> upperRight(const surface::BrainModel& brain) {
 
 Patient::Patient()
     : series_(folder_.path() / "dicom"),
-      recording_(ui::treat_fixtures::writeRecording(folder_.path(), kRecordedFrames)),
+      recording_(ui::home_fixtures::writeCapturedRecording(folder_.path())),
       prepared_(folder_.path() / "prepared") {
   dicom::writeSeries(volume::readNifti(testing::virtualPatientMri()).volume, series_, {});
   fs::create_directories(folder_.path() / "home/Desktop");

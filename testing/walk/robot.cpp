@@ -25,6 +25,7 @@ using ui::fixtures::waitFor;
 
 constexpr int kLayout_ms = 1500;  // at most, until a new layout is in force
 constexpr int kPicture_ms = 8000, kStill_ms = 900;
+constexpr double kStillLevels = 0.5;  // grey levels between pictures of a window at rest
 constexpr int kPoll_ms = 20;
 
 /// Parts whose content differs from run to run: times, dates, random numbers, live figures.
@@ -116,31 +117,25 @@ void Robot::look(const QString& name, const std::function<QStringList()>& moved)
   if (look_.pictures) compare(name);
 }
 
-/// Compares as soon as the picture is like the kept one; keeps a new one when nothing moves any more.
+/// Waits until the picture is like the kept one, or, where a new one is kept, until nothing moves any more.
 void Robot::compare(const QString& name) {
+  using Use = testing::KeptPictures::Use;
+  const auto& kept = *look_.pictures;
   const QString file = QString(job_ + "_" + name).replace(' ', '_');
+  const double enough = kept.use() == Use::compare ? kept.tolerance(file) : kStillLevels;
   QImage picture = testing::smallPicture(window_, changing());
-  QString fault;
-  if (look_.pictures->use() == testing::KeptPictures::Use::compare) {
-    waitFor(
-        [&] {
-          picture = testing::smallPicture(window_, changing());
-          return (fault = look_.pictures->show(file, picture)).isEmpty();
-        },
-        kPicture_ms);
-  } else {
-    QElapsedTimer still;
-    still.start();
-    waitFor(
-        [&] {
-          const QImage now = testing::smallPicture(window_, changing());
-          if (testing::difference(now, picture) > 1) still.restart();
-          picture = now;
-          return still.elapsed() > kStill_ms;
-        },
-        kPicture_ms);
-    fault = look_.pictures->show(file, picture);
-  }
+  QElapsedTimer still;
+  still.start();
+  waitFor(
+      [&] {
+        const QImage now = testing::smallPicture(window_, changing());
+        if (testing::difference(now, picture) > kStillLevels) still.restart();
+        picture = now;
+        return kept.use() == Use::renew ? still.elapsed() > kStill_ms
+                                        : kept.differenceFrom(file, picture) <= enough;
+      },
+      kPicture_ms);
+  const QString fault = kept.show(file, picture);
   if (fault.isEmpty()) return;
   ADD_FAILURE() << fault.toStdString();
   if (const char* folder = std::getenv("FACENAV_GUI_PICTURES"))

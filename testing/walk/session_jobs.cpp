@@ -147,7 +147,7 @@ void treatAtHome(Patient& patient, const Look& look) {
   window.show();
   home.open(pathOf(ui::home_fixtures::writeHomeCase(folder.path())));
   ui::fixtures::waitFor([&] { return home.stage() == ui::HomePresenter::Stage::sit; });
-  home.play(pathOf(ui::home_fixtures::writeCapturedRecording(folder.path())));
+  home.play(pathOf(patient.recording()));
   Robot robot(window, "home", look);
   robot.step(
       "sit", Page::changes, [] {}, [&] { return home.hasPictures(); });

@@ -182,9 +182,8 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   detail_->setToolTip(tr(
       "mm; the cortex's depth is measured from the scalp along the coil's axis; gap: between coil and skin, "
       "for hair"));
-  hint_ = new QLabel(
-      tr("Click on the cortex, or double click on a slice, to set a target. Arrow keys in a view move it."),
-      panel);
+  hint_ =
+      new QLabel(tr("Click the cortex, or double click a slice, for a target. Arrow keys move it."), panel);
   hint_->setObjectName("muted");
   fault_ = new QLabel(panel);
   fault_->setObjectName("fault");

@@ -9,8 +9,8 @@
 #include <deque>
 #include <memory>
 
-#include "shell/services.h"
 #include "prepare/field_queue.h"
+#include "shell/services.h"
 #include "shell/task_runner.h"
 
 class QLockFile;

@@ -13,6 +13,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "facenav/report/local_time.h"
@@ -110,10 +111,14 @@ void SessionsPanel::makePulses() {
   whenTextScales(this, [this] { pulses_->setMinimumSize(sized(240), sized(110)); });
   pulses_->setToolTip(tr("click a heading to sort; double click an MEP to type it"));
   whenTextScales(this, [this] {
-    pulses_->horizontalHeader()->setDefaultSectionSize(sized(76));
+    auto* header = pulses_->horizontalHeader();
+    header->setDefaultSectionSize(sized(76));
     pulses_->setColumnWidth(PulseTable::kNumber, sized(56));
     pulses_->setColumnWidth(PulseTable::kState, sized(104));
     pulses_->setColumnWidth(PulseTable::kTarget, sized(110));
+    header->ensurePolished();
+    for (int i = 0; i < header->count(); ++i)  // every heading is whole
+      header->resizeSection(i, std::max(header->sectionSize(i), header->sectionSizeHint(i)));
   });
   pulses_->horizontalHeader()->setStretchLastSection(true);
   connect(pulses_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -179,7 +184,7 @@ QWidget* SessionsPanel::makeEdits() {
   column->setContentsMargins(0, 0, 0, 0);
   auto* fields = new QHBoxLayout;
   reason_ = new QLineEdit(box);
-  reason_->setPlaceholderText(tr("reason to exclude them"));
+  reason_->setPlaceholderText(tr("reason to exclude"));
   reason_->setToolTip(tr("why the chosen pulses do not count; kept with the change"));
   by_ = new QLineEdit(box);
   by_->setPlaceholderText(tr("by"));

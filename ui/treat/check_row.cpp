@@ -37,6 +37,9 @@ CheckRow::CheckRow(CheckPresenter& check, TreatPresenter& treat, QWidget* parent
   connect(button_, &QPushButton::clicked, &check_, &CheckPresenter::begin);
   connect(&check_, &CheckPresenter::changed, this, &CheckRow::showState);
   connect(&treat_, &TreatPresenter::changed, this, &CheckRow::showState);
+  QSizePolicy policy = sizePolicy();
+  policy.setRetainSizeWhenHidden(true);  // what stands above stays where it is when guidance starts
+  setSizePolicy(policy);
   showState();
 }
 

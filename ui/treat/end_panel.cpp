@@ -32,11 +32,12 @@ EndPanel::EndPanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), tre
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("pain after"), this));
   row->addWidget(pain_);
-  row->addWidget(adverse_, 1);
+  row->addStretch(1);
   row->addWidget(end);
   row->addWidget(back);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
+  column->addWidget(adverse_);
   column->addLayout(row);
   connect(end, &QPushButton::clicked, this, &EndPanel::end);
   connect(adverse_, &QLineEdit::returnPressed, this, &EndPanel::end);

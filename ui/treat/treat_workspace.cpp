@@ -141,6 +141,9 @@ void TreatWorkspace::makeStepButtons(QWidget* bar) {
   end_ = new QPushButton(tr("4 End\u2026"), bar);
   end_->setToolTip(tr("end the session: asks for pain and adverse events, then shows the report (Ctrl+E)"));
   end_->setShortcut(Qt::CTRL + Qt::Key_E);
+  QSizePolicy policy = end_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);  // the buttons beside it stay where they are
+  end_->setSizePolicy(policy);
   guide_->setShortcut(Qt::Key_Space);
   guide_->setObjectName("primary");
 }
