@@ -56,7 +56,7 @@ TEST_F(FieldMshTest, ReadsTextWithDataOnElements) {
 }
 
 TEST_F(FieldMshTest, ReadsTheFilesMadeForThisProject) {
-  const auto folder = testing::sharedData() / "interop/made";
+  const auto folder = facenav::testing::sharedData() / "interop/made";
   FACENAV_NEEDS(folder);
   for (const char* name : {"efield_binary.msh", "efield_ascii.msh"})
     EXPECT_NEAR(readFieldMsh(folder / name).magnitude.maxCoeff(), 72.944, 0.0006) << name;
