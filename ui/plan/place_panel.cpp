@@ -6,7 +6,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "shell/narrow_label.h"
 
@@ -61,7 +63,12 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
 
 void PlacePanel::show(const Point<Mri>& crosshair) {
   crosshair_ = crosshair;
-  words_->setText(presenter_.describe(crosshair));
+  const QString words = presenter_.describe(crosshair);
+  words_->setText(words);
+  int longest_px = 0;  // an atlas' label cannot be broken
+  for (const QString& word : words.split(QRegularExpression("\\s+")))
+    longest_px = std::max(longest_px, words_->fontMetrics().horizontalAdvance(word));
+  words_->setMinimumWidth(longest_px);
   if (!presenter_.hasAtlas()) frame_->setCurrentIndex(1);
 }
 

@@ -2,6 +2,7 @@
 // Changes the text of a button, and leaves room for it.
 
 #include <QAbstractButton>
+#include <algorithm>
 
 #include "shell/appearance.h"
 
@@ -13,6 +14,16 @@ inline void setWords(QAbstractButton& button, const QString& words) {
   const QKeySequence key = button.shortcut();
   button.setText(words);
   button.setShortcut(key);
+}
+
+/// Leaves room for the longest of these texts, so that its neighbours keep their places.
+inline void keepWidthOf(const QStringList& texts, QAbstractButton& button) {
+  const auto width_px = [&](const QString& words) {
+    return button.fontMetrics().size(Qt::TextShowMnemonic, words).width();
+  };
+  int longest_px = 0;
+  for (const QString& words : texts) longest_px = std::max(longest_px, width_px(words));
+  button.setMinimumWidth(button.sizeHint().width() + longest_px - width_px(button.text()));
 }
 
 /// Leaves room for bold letters, which some buttons have when they are chosen.

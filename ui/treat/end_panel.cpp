@@ -33,12 +33,15 @@ EndPanel::EndPanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), tre
   row->addWidget(new QLabel(tr("pain after"), this));
   row->addWidget(pain_);
   row->addStretch(1);
-  row->addWidget(end);
-  row->addWidget(back);
+  auto* buttons = new QHBoxLayout;  // beside the list there is no room for doubled text
+  buttons->addWidget(end);
+  buttons->addWidget(back);
+  buttons->addStretch(1);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
   column->addWidget(adverse_);
   column->addLayout(row);
+  column->addLayout(buttons);
   connect(end, &QPushButton::clicked, this, &EndPanel::end);
   connect(adverse_, &QLineEdit::returnPressed, this, &EndPanel::end);
   connect(back, &QPushButton::clicked, &treat_, &TreatPresenter::cancelEnd);

@@ -222,9 +222,10 @@ void TreatWorkspace::showSteps() {
   const bool has_aligned = presenter_.isAligned() && !shows_aligned_;
   shows_aligned_ = presenter_.isAligned();
   if (has_begun || has_aligned) showStage(false);
-  setWords(*guide_, presenter_.isGuiding() ? tr("3 Guide %1  stop").arg(live)
-                    : shows_running_       ? tr("3 Guide %1  go on").arg(open)
-                                           : tr("3 Guide %1  start").arg(open));
+  const QStringList guide_words{tr("3 Guide %1  stop").arg(live), tr("3 Guide %1  go on").arg(open),
+                                tr("3 Guide %1  start").arg(open)};
+  setWords(*guide_, guide_words[presenter_.isGuiding() ? 0 : shows_running_ ? 1 : 2]);
+  keepWidthOf(guide_words, *guide_);
   end_->setVisible(presenter_.hasSession());
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
