@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "shell/appearance.h"
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
@@ -29,8 +30,11 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
   makeNarrow(*words_);
-  words_->ensurePolished();
-  words_->setMinimumHeight(kLines * words_->fontMetrics().lineSpacing());  // the fields stay in place
+  whenTextScales(this, [this] {
+    words_->ensurePolished();
+    words_->setMinimumHeight(kLines * words_->fontMetrics().lineSpacing());  // the fields stay in place
+    leaveRoom();
+  });
   frame_ = new QComboBox(this);
   frame_->addItems({tr("MNI"), tr("RAS")});
   frame_->setToolTip(tr("what the typed numbers are"));
@@ -63,13 +67,16 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
 
 void PlacePanel::show(const Point<Mri>& crosshair) {
   crosshair_ = crosshair;
-  const QString words = presenter_.describe(crosshair);
-  words_->setText(words);
-  int longest_px = 0;  // an atlas' label cannot be broken
-  for (const QString& word : words.split(QRegularExpression("\\s+")))
+  words_->setText(presenter_.describe(crosshair));
+  leaveRoom();
+  if (!presenter_.hasAtlas()) frame_->setCurrentIndex(1);
+}
+
+void PlacePanel::leaveRoom() {
+  int longest_px = 0;
+  for (const QString& word : words_->text().split(QRegularExpression("\\s+")))
     longest_px = std::max(longest_px, words_->fontMetrics().horizontalAdvance(word));
   words_->setMinimumWidth(longest_px);
-  if (!presenter_.hasAtlas()) frame_->setCurrentIndex(1);
 }
 
 void PlacePanel::takeFocus() {

@@ -28,6 +28,8 @@ class PlacePanel : public QFrame {
   void targetWanted(double x_mm, double y_mm, double z_mm);
 
  private:
+  /// Makes room for the longest word: an atlas' label cannot be broken.
+  void leaveRoom();
   void read();
 
   PlacePresenter& presenter_;

@@ -191,7 +191,10 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   column->addWidget(heading);
   for (auto* label : {hint_, fault_}) {
     makeNarrow(*label);
-    label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+    whenTextScales(this, [label] {
+      label->ensurePolished();
+      label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+    });
     column->addWidget(label);
   }
   auto* body = new QWidget(panel);

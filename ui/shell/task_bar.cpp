@@ -36,7 +36,10 @@ TaskBar::TaskBar(TaskRunner& tasks, QWidget* parent)
   cancel_->setToolTip(tr("stop this step; nothing half-done is kept (Esc)"));
   cancel_->setShortcut(Qt::Key_Escape);
   cancel_->ensurePolished();  // the bar is as high without the button: the page above stays where it is
-  words_->setMinimumHeight(cancel_->sizeHint().height());
+  whenTextScales(this, [this] {
+    cancel_->ensurePolished();
+    words_->setMinimumHeight(cancel_->sizeHint().height());
+  });
   setBusy(false);
   connect(cancel_, &QPushButton::clicked, &tasks, &TaskRunner::cancel);
   connect(&tasks, &TaskRunner::started, this, [this](const QString& title) {

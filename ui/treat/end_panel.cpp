@@ -19,6 +19,7 @@ EndPanel::EndPanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), tre
   pain_->addItem(tr("not asked"));
   for (int pain = 0; pain <= 10; ++pain) pain_->addItem(QString::number(pain));
   pain_->setToolTip(tr("0: none, 10: the worst imaginable; kept in the session's log and report"));
+  pain_->setMinimumContentsLength(int(pain_->itemText(0).size()) + 1);
   pain_->setAccessibleName(tr("pain after"));
   adverse_ = new QLineEdit(this);
   adverse_->setObjectName("end_adverse");

@@ -232,7 +232,7 @@ void TreatWorkspace::showSteps() {
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
   showCoils();
   const QString doing = presenter_.doingWords();
-  words_->setParts(!doing.isEmpty()  ? QStringList{doing}
+  words_->setParts(!doing.isEmpty()  ? doing.split(": ")
                    : model_.isOpen() ? QStringList{presenter_.recordingWords(), presenter_.alignmentWords()}
                                      : QStringList{tr("open a case first (Ctrl+O)")});
   target_->clear();
