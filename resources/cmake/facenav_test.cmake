@@ -25,7 +25,7 @@ function(facenav_test_filter variable)
 endfunction()
 
 # facenav_test_entry(NAME n PROGRAM p SOURCES a_test.cpp .. [LABELS ..] [TIMEOUT s] [LOCK name] [ALONE] [ENVIRONMENT ..])
-# LOCK: never beside another entry with this lock. ALONE: never beside any other entry, since it measures time.
+# LOCK: never beside another entry with this lock. ALONE: never beside any other entry: it measures time, or needs the focus of the keyboard.
 function(facenav_test_entry)
   cmake_parse_arguments(E "ALONE" "NAME;PROGRAM;TIMEOUT;LOCK" "SOURCES;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT E_TIMEOUT)
