@@ -7,7 +7,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kBackground = 15;  // niceness, below that of preparing
+constexpr int kFieldNiceness = 15;  // niceness, below that of preparing
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void FieldQueue::setHeld(bool is_held) {
 void FieldQueue::begin() {
   if (is_held_ || folders_.empty() || tasks_.isRunning()) return;
   tasks_.start(tr("Electric field"), [this, folder = folders_.front()](TaskMonitor& monitor) {
-    ::setpriority(PRIO_PROCESS, 0, kBackground);
+    ::setpriority(PRIO_PROCESS, 0, kFieldNiceness);
     services_.buildField(folder, monitor);
     return TaskRunner::Delivery([this] { end(true); });
   });
