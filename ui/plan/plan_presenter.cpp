@@ -164,6 +164,17 @@ void PlanPresenter::nudgeActive(double x_mm, double y_mm) {
   if (active()) attempt([&] { editor_.nudge(x_mm, y_mm); });
 }
 
+void PlanPresenter::takePose(const guidance::Target& pose, const std::string& what) {
+  if (!active()) return;
+  attempt([&] {
+    auto target = *active();
+    target.mri_T_target = pose.mri_T_target;
+    target.scalp_point = pose.scalp_point;
+    target.lift_mm = pose.lift_mm;
+    editor_.replace(target, what);
+  });
+}
+
 void PlanPresenter::duplicateActive() {
   if (active()) attempt([&] { editor_.duplicate(); });
 }

@@ -38,6 +38,9 @@ class PlanPresenter : public QObject {
   QString setGap(const QString& typed);
   /// Moves the active target along the scalp (Coil x and y, mm). The handle's direction and the gap stay.
   void nudgeActive(double x_mm, double y_mm);
+  /// Gives the active target the pose of another one; what it is for, its name and note stay. `what`: for the
+  /// record of changes.
+  void takePose(const guidance::Target& pose, const std::string& what);
   /// Copies the active target, or mirrors it through the atlas; the copy becomes the active one.
   void duplicateActive();
   void mirrorActive();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "plan/brain_look_panel.h"
+#include "plan/field_view.h"
 #include "plan/handle_panel.h"
 #include "plan/map_legend.h"
 #include "plan/place_panel.h"
@@ -52,9 +53,12 @@ PlanWorkspace::PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, Co
       model_(model),
       head_(new HeadPresenter(model, this)),
       overlays_(new OverlayPresenter(model, this)),
+      field_(new FieldPresenter(presenter, model, this)),
+      best_pose_(new BestPosePresenter(*field_, presenter, model, this)),
       views_(new LinkedViews(this)),
       overlay_layer_(std::make_unique<scene::OverlayLayer>(views_->sceneView().scene())),
-      site_layer_(std::make_unique<scene::SiteLayer>(views_->sceneView().scene())) {
+      site_layer_(std::make_unique<scene::SiteLayer>(views_->sceneView().scene())),
+      field_layer_(std::make_unique<scene::FieldLayer>(views_->sceneView().scene())) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
   row->addWidget(views_, 1);
@@ -203,9 +207,10 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   whenTextScales(this, [this] { targets_->setMinimumHeight(sized(kTargets_px)); });
   targets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes the remaining room
   within->addWidget(makeTools(body));
-  shown_ = new ShownTools(presenter_, *overlays_, body);
+  shown_ = new ShownTools(presenter_, *overlays_, *field_, body);
   within->addWidget(shown_);
   within->addWidget(new MapLegend(*overlays_, body));
+  within->addWidget(makeFieldView(body));
   within->addWidget(makeFields(body));
   within->addWidget(targets_, 1);
   within->addWidget(detail_);
@@ -220,13 +225,31 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   return panel;
 }
 
+QWidget* PlanWorkspace::makeFieldView(QWidget* parent) {
+  connect(field_, &FieldPresenter::changed, this, &PlanWorkspace::showField);
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, &PlanWorkspace::showField);
+  return new FieldView(*field_, *best_pose_, parent);
+}
+
 void PlanWorkspace::showOverlays() {
   if (is_outdated_ || !model_.isOpen()) return;
   const auto shown = overlays_->shown();
   views_->setOverlays(shown);
   const bool is_cortex = cortex_.look() != scene::BrainLook::model && cortex_.cortex();
   const auto& brain = model_.current().brain;
-  overlay_layer_->set(shown, is_cortex ? &cortex_.cortex()->cortex.mesh : brain ? &brain->mesh : nullptr);
+  std::shared_ptr<const surface::TriangleMesh> drawn;
+  if (is_cortex)
+    drawn = {cortex_.cortex(), &cortex_.cortex()->cortex.mesh};
+  else if (brain)
+    drawn = {brain, &brain->mesh};
+  overlay_layer_->set(shown, drawn.get());
+  field_->setDrawn(drawn);
+  views_->sceneView().refresh();
+}
+
+void PlanWorkspace::showField() {
+  const auto picture = field_->picture();
+  field_layer_->set(picture ? &*picture : nullptr, sized(100) / 100.0);
   views_->sceneView().refresh();
 }
 
@@ -336,6 +359,11 @@ void PlanWorkspace::showPlan() {
   if (active) views_->setCrosshair(active->cortex_point);
 }
 
-void PlanWorkspace::showEvent(QShowEvent*) { showCase(); }
+void PlanWorkspace::showEvent(QShowEvent*) {
+  showCase();
+  field_->setInSight(true);
+}
+
+void PlanWorkspace::hideEvent(QHideEvent*) { field_->setInSight(false); }
 
 }  // namespace facenav::ui

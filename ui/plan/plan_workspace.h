@@ -3,8 +3,10 @@
 
 #include <QWidget>
 
+#include "facenav/scene/field_layer.h"
 #include "facenav/scene/overlay_layer.h"
 #include "facenav/scene/site_layer.h"
+#include "plan/best_pose_presenter.h"
 #include "plan/cortex_presenter.h"
 #include "plan/head_presenter.h"
 #include "plan/overlay_presenter.h"
@@ -33,14 +35,17 @@ class PlanWorkspace : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QWidget* makeTargetsPanel();
   QHBoxLayout* makeEdits(QWidget* parent);
   TargetTools* makeTools(QWidget* parent);
+  QWidget* makeFieldView(QWidget* parent);
   void showOverlays();
   void showSites();
+  void showField();
   QWidget* makeFields(QWidget* parent);
   void showFields();
   void addKeys();
@@ -57,10 +62,13 @@ class PlanWorkspace : public QWidget {
   CaseModel& model_;
   HeadPresenter* head_;
   OverlayPresenter* overlays_;
+  FieldPresenter* field_;
+  BestPosePresenter* best_pose_;
   std::shared_ptr<const scene::CortexPicture> shown_cortex_;
   LinkedViews* views_;
   std::unique_ptr<scene::OverlayLayer> overlay_layer_;
   std::unique_ptr<scene::SiteLayer> site_layer_;
+  std::unique_ptr<scene::FieldLayer> field_layer_;
   ShownTools* shown_;
   PlacePanel* place_panel_;
   TargetList* targets_;

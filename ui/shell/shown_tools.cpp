@@ -8,17 +8,21 @@
 #include <QWidgetAction>
 
 #include "plan/dose_panel.h"
+#include "plan/field_panel.h"
 #include "plan/overlays_panel.h"
 #include "shell/words_of_button.h"
 
 namespace facenav::ui {
 
-ShownTools::ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, QWidget* parent)
+ShownTools::ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, FieldPresenter& field,
+                       QWidget* parent)
     : QFrame(parent), row_(new QHBoxLayout(this)) {
   row_->setContentsMargins(0, 0, 0, 0);
-  row_->setSpacing(4);
+  row_->setSpacing(2);  // five buttons fit into a window of 1280
   addMenu(tr("Overlays"), tr("maps, masks, tracts and surfaces of other programs over the MRI"),
           new OverlaysPanel(overlays));
+  addMenu(tr("Field"), tr("the electric field that the planned coil induces in the brain"),
+          new FieldPanel(field));
   addMenu(tr("Dose"), tr("protocol, pulses of the target, and the coil"), new DosePanel(plan));
   slices_ = addSwitch(tr("Coil"),
                       tr("the MRI along the axis of the target's coil, along and across its handle (M)"),

@@ -1,10 +1,11 @@
 #pragma once
-// ShownTools: what Plan shows beside the targets: overlays, the dose, the slices along the coil, the EEG
-// sites. Both switches are remembered.
+// ShownTools: what Plan shows beside the targets: overlays, the electric field, the dose, the slices along
+// the coil, the EEG sites. The switches are remembered.
 
 #include <QFrame>
 #include <functional>
 
+#include "plan/field_presenter.h"
 #include "plan/overlay_presenter.h"
 #include "plan/plan_presenter.h"
 
@@ -17,7 +18,8 @@ class ShownTools : public QFrame {
   Q_OBJECT
 
  public:
-  ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, QWidget* parent = nullptr);
+  ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, FieldPresenter& field,
+             QWidget* parent = nullptr);
   bool showsCoilSlices() const;
   bool showsSites() const;
 

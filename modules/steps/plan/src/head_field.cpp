@@ -36,10 +36,12 @@ class SphereHead : public HeadField {
   efield::LocalSphere sphere_;
 };
 
+}  // namespace
+
 /// Numbers of places by cube, to find the nearest one.
-class Places {
+class KeptPlaces {
  public:
-  explicit Places(const Eigen::Matrix3Xf& places_mm) : places_mm_(places_mm) {
+  explicit KeptPlaces(const Eigen::Matrix3Xf& places_mm) : places_mm_(places_mm) {
     for (Eigen::Index i = 0; i < places_mm.cols(); ++i) by_cube_[cubeOf(places_mm.col(i))].push_back(i);
   }
   Eigen::Index nearest(const Eigen::Vector3f& p_mm) const {
@@ -76,26 +78,34 @@ class Places {
   std::map<Cube, std::vector<Eigen::Index>> by_cube_;
 };
 
+/// The case's kept model with its points.
+struct KeptShells {
+  explicit KeptShells(efield::CortexField kept)
+      : field(std::move(kept)), places(field.points_mm), at_mm(field.points_mm.cast<double>()) {}
+  efield::CortexField field;
+  KeptPlaces places;
+  Eigen::Matrix3Xd at_mm;
+};
+
+namespace {
+
 /// Three shells give the field at the kept points of the cortex. Elsewhere their difference from the sphere
 /// at the nearest kept point is added to the sphere's field: the difference changes slowly.
 class ShellsHead : public HeadField {
  public:
-  ShellsHead(efield::CortexField shells, const efield::LocalSphere& sphere)
-      : shells_(std::move(shells)),
-        places_(shells_.points_mm),
-        at_mm_(shells_.points_mm.cast<double>()),
-        centre_mm_(sphere.centre_mm) {}
+  ShellsHead(std::shared_ptr<const KeptShells> shells, const efield::LocalSphere& sphere)
+      : shells_(std::move(shells)), centre_mm_(sphere.centre_mm) {}
   FieldTier tier() const override { return FieldTier::three_shells; }
   std::string inWords() const override { return "scalp, skull and brain of the case (three shells)"; }
   double usualError() const override { return kWithoutFluid; }
   Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
                       const Eigen::Matrix3Xd& points_mm) const override {
-    const Eigen::Matrix3Xf shells = efield::fieldAt(shells_, coil, mri_T_coil);
+    const Eigen::Matrix3Xf shells = efield::fieldAt(shells_->field, coil, mri_T_coil);
     std::vector<Eigen::Index> nearest(std::size_t(points_mm.cols()));
     Eigen::Matrix3Xd kept_mm(3, points_mm.cols());
     for (Eigen::Index i = 0; i < points_mm.cols(); ++i) {
-      nearest[std::size_t(i)] = places_.nearest(points_mm.col(i).cast<float>());
-      kept_mm.col(i) = at_mm_.col(nearest[std::size_t(i)]);
+      nearest[std::size_t(i)] = shells_->places.nearest(points_mm.col(i).cast<float>());
+      kept_mm.col(i) = shells_->at_mm.col(nearest[std::size_t(i)]);
     }
     Eigen::Matrix3Xd field = efield::sphereField(coil, mri_T_coil, centre_mm_, points_mm) -
                              efield::sphereField(coil, mri_T_coil, centre_mm_, kept_mm);
@@ -105,11 +115,20 @@ class ShellsHead : public HeadField {
   }
 
  private:
-  efield::CortexField shells_;
-  Places places_;
-  Eigen::Matrix3Xd at_mm_;
+  std::shared_ptr<const KeptShells> shells_;
   Eigen::Vector3d centre_mm_;
 };
+
+std::shared_ptr<const KeptShells> keptShells(const casefile::CaseStore& store) {
+  auto kept = keptField(store);
+  return kept ? std::make_shared<const KeptShells>(std::move(*kept)) : nullptr;
+}
+
+std::unique_ptr<HeadField> surest(std::shared_ptr<const KeptShells> shells,
+                                  const efield::LocalSphere& sphere) {
+  if (shells) return std::make_unique<ShellsHead>(std::move(shells), sphere);
+  return std::make_unique<SphereHead>(sphere);
+}
 
 }  // namespace
 
@@ -137,11 +156,20 @@ std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const Fie
   if (wanted && *wanted != FieldTier::three_shells)
     throw Error("no field model of tier " + std::to_string(int(*wanted)) + " is built yet",
                 store.folder().string(), "use tier 1 (three shells) or 0 (a local sphere)");
-  if (auto shells = keptField(store)) return std::make_unique<ShellsHead>(std::move(*shells), sphere);
-  if (wanted)
+  auto shells = keptShells(store);
+  if (wanted && !shells)
     throw Error("the case's three shells are not built, or were built before its masks changed",
                 store.folder().string(), "build them ('facenav field' does), or use tier 0");
-  return std::make_unique<SphereHead>(sphere);
+  return surest(std::move(shells), sphere);
+}
+
+ReadHead::ReadHead(const casefile::CaseStore& store)
+    : surfaces_(fieldSurfaces(store)), shells_(keptShells(store)) {}
+
+FieldTier ReadHead::tier() const { return shells_ ? FieldTier::three_shells : FieldTier::local_sphere; }
+
+std::unique_ptr<HeadField> ReadHead::near(const CoilPose& pose) const {
+  return surest(shells_, efield::localSphere(surfaces_.skull_mm, pose.translation_mm()));
 }
 
 CoilPose coilPoseOf(const guidance::Target& target) {

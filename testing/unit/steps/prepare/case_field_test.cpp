@@ -5,38 +5,21 @@
 #include <gtest/gtest.h>
 
 #include "facenav/core/whole_file.h"
-#include "facenav/surface/cortex_surface.h"
 #include "facenav/volume/nifti.h"
-#include "support/ball_case.h"
+#include "support/ball_with_cortex.h"
 #include "support/refusal.h"
 #include "support/test_data.h"
 
 namespace facenav::steps {
 namespace {
 
+using facenav::testing::ballWithCortex;
 using facenav::testing::refusalOf;
 using facenav::testing::TemporaryFolder;
 
-/// A ball of 90 mm with a brain of 70 mm about its middle.
-casefile::PreparedCase preparedBall() {
-  auto prepared = facenav::testing::ballCase();
-  volume::Mask brain = prepared.head_mask;
-  for (int k = 0; k < 50; ++k)
-    for (int j = 0; j < 50; ++j)
-      for (int i = 0; i < 50; ++i)
-        brain.voxels[brain.grid.index(i, j, k)] = brain.grid.toMri(Eigen::Vector3d(i, j, k)).mm.norm() < 70;
-  TaskMonitor monitor;
-  prepared.brain = surface::buildBrainModel(prepared.mri, brain, {}, monitor);
-  prepared.cortex.emplace();
-  prepared.cortex->mesh = surface::extractCortex(brain, {4.0, 0}, monitor);
-  prepared.cortex->distance_mm.assign(prepared.cortex->mesh.vertices_mm.size(), 0.f);
-  prepared.brain_mask = std::move(brain);
-  return prepared;
-}
-
 TEST(CaseField, IsKeptUntilTheBrainChanges) {
   const TemporaryFolder folder;
-  const auto store = casefile::CaseStore::create(folder.path() / "case", preparedBall(), {}, false);
+  const auto store = casefile::CaseStore::create(folder.path() / "case", ballWithCortex(), {}, false);
   EXPECT_FALSE(keptField(store));
   TaskMonitor monitor;
   const efield::CortexField built = buildField(store, monitor);
@@ -64,7 +47,7 @@ TEST(CaseField, IsKeptUntilTheBrainChanges) {
 
 TEST(CaseField, ADamagedFileIsSaid) {
   const TemporaryFolder folder;
-  const auto store = casefile::CaseStore::create(folder.path() / "case", preparedBall(), {}, false);
+  const auto store = casefile::CaseStore::create(folder.path() / "case", ballWithCortex(), {}, false);
   writeWholeFile(fieldFile(store), "nothing of a field");
   EXPECT_NE(refusalOf([&] { keptField(store); }).find("damaged"), std::string::npos);
 }

@@ -50,6 +50,22 @@ class HeadField {
 std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const FieldSurfaces& surfaces,
                                      const CoilPose& near, std::optional<FieldTier> wanted = {});
 
+struct KeptShells;
+/// Surfaces and surest model of a case, read once for many poses: reading takes longer than a pose.
+class ReadHead {
+ public:
+  /// Throws Error as fieldSurfaces and keptField do.
+  explicit ReadHead(const casefile::CaseStore& store);
+  const FieldSurfaces& surfaces() const { return surfaces_; }
+  FieldTier tier() const;
+  /// The model that headField chooses for a pose.
+  std::unique_ptr<HeadField> near(const CoilPose& pose) const;
+
+ private:
+  FieldSurfaces surfaces_;
+  std::shared_ptr<const KeptShells> shells_;
+};
+
 /// Pose of the coil on a target as planned, hair and lift included.
 CoilPose coilPoseOf(const guidance::Target& target);
 

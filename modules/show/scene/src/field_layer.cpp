@@ -1,0 +1,116 @@
+#include "facenav/scene/field_layer.h"
+
+#include <vtkBillboardTextActor3D.h>
+#include <vtkContourFilter.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTextProperty.h>
+
+#include <cmath>
+#include <limits>
+
+#include "actors.h"
+#include "facenav/scene/pulse_layer.h"
+#include "image_bridge.h"
+
+namespace facenav::scene {
+namespace {
+
+constexpr double kLeastShare = 0.2, kLineShare = 0.5;
+constexpr double kLineAbove_mm = 0.7;  // above the colours, which lie 0.4 mm above the brain
+constexpr double kDot_mm = 1.8, kWordsAbove_mm = 9.0;
+constexpr int kWords_pt = 12;
+constexpr palette::Rgb kWhite{1, 1, 1};
+
+/// Line on the surface where the strength is half of the maximum.
+vtkSmartPointer<vtkActor> lineActor(const FieldPicture& picture) {
+  surface::TriangleMesh raised = *picture.surface;
+  vtkNew<vtkFloatArray> strength;
+  strength->SetNumberOfValues(vtkIdType(picture.strength.size()));
+  for (std::size_t i = 0; i < raised.vertices_mm.size(); ++i) {
+    raised.vertices_mm[i] += kLineAbove_mm * raised.normals[i];
+    strength->SetValue(vtkIdType(i), picture.strength[i]);
+  }
+  const auto poly = toPolyData(raised);
+  poly->GetPointData()->SetScalars(strength);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputData(poly);
+  contour->SetValue(0, kLineShare * picture.peak);
+  contour->ComputeScalarsOff();
+  contour->Update();
+  auto actor = makeActor(contour->GetOutput(), kWhite);
+  actor->GetProperty()->SetLineWidth(2.0f);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+std::size_t nearestVertex(const surface::TriangleMesh& mesh, const Point<Mri>& p) {
+  std::size_t nearest = 0;
+  double least_mm2 = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
+    if (const double d_mm2 = (mesh.vertices_mm[i] - p.mm).squaredNorm(); d_mm2 < least_mm2)
+      least_mm2 = d_mm2, nearest = i;
+  return nearest;
+}
+
+}  // namespace
+
+ColourRange fieldColours(double peak) { return {kLeastShare * peak, peak}; }
+
+struct FieldLayer::Implementation {
+  explicit Implementation(NavigationScene& scene) : renderer(scene.renderer()), colours(scene) {}
+  vtkRenderer* renderer;
+  PulseLayer colours;
+  std::vector<vtkSmartPointer<vtkProp3D>> props;
+  void clear() {
+    colours.clearHeat();
+    for (const auto& prop : props) renderer->RemoveViewProp(prop);
+    props.clear();
+  }
+  void add(vtkSmartPointer<vtkProp3D> prop) {
+    prop->PickableOff();
+    renderer->AddViewProp(prop);
+    props.push_back(std::move(prop));
+  }
+  /// Marks the maximum on the drawn surface, which may lie above the cortex.
+  void addPeak(const FieldPicture& picture, double text_scale) {
+    const std::size_t vertex = nearestVertex(*picture.surface, picture.peak_place);
+    const Eigen::Vector3d at_mm = picture.surface->vertices_mm[vertex];
+    const Eigen::Vector3d above_mm = at_mm + kWordsAbove_mm * picture.surface->normals[vertex];
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(kDot_mm);
+    ball->SetCenter(at_mm.data());
+    ball->Update();
+    add(makeActor(ball->GetOutput(), kWhite));
+    auto words = vtkSmartPointer<vtkBillboardTextActor3D>::New();
+    words->SetInput(picture.peak_words.c_str());
+    words->SetPosition(above_mm.x(), above_mm.y(), above_mm.z());
+    words->GetTextProperty()->SetFontSize(int(std::lround(kWords_pt * text_scale)));
+    words->GetTextProperty()->SetColor(kWhite[0], kWhite[1], kWhite[2]);
+    words->GetTextProperty()->SetJustificationToCentered();
+    add(words);
+  }
+};
+
+FieldLayer::FieldLayer(NavigationScene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
+
+FieldLayer::~FieldLayer() { implementation_->clear(); }
+
+void FieldLayer::set(const FieldPicture* picture, double text_scale) {
+  auto& layer = *implementation_;
+  layer.clear();
+  if (!picture || !picture->surface || picture->surface->vertices_mm.empty()) return;
+  std::vector<float> coloured = picture->strength;
+  for (float& strength : coloured)
+    if (strength < kLeastShare * picture->peak) strength = std::numeric_limits<float>::quiet_NaN();
+  layer.colours.setHeat(*picture->surface, coloured, fieldColours(picture->peak));
+  layer.add(lineActor(*picture));
+  layer.addPeak(*picture, text_scale);
+}
+
+}  // namespace facenav::scene

@@ -1,0 +1,91 @@
+#include "facenav/plan/planned_field.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "facenav/core/error.h"
+#include "facenav/prepare/case_field.h"
+#include "support/ball_with_cortex.h"
+#include "support/refusal.h"
+#include "support/test_data.h"
+
+namespace facenav::steps {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::refusalOf;
+
+/// The ball case with a brain of 70 mm and a target over its top.
+class PlannedFieldTest : public ::testing::Test {
+ protected:
+  PlannedFieldTest()
+      : store_(casefile::CaseStore::create(folder_.path() / "case", testing::ballWithCortex(), {}, false)) {
+    wanted_.target = targetOverCortex(plannedHead(store_), "top", Point<Mri>(0, 0, 68));
+    wanted_.coil = "figure8-70";
+  }
+  testing::TemporaryFolder folder_;
+  casefile::CaseStore store_;
+  WantedField wanted_;
+  TaskMonitor monitor_;
+};
+
+TEST_F(PlannedFieldTest, IsTheFieldOnTheCortexTimesTheRate) {
+  const ReadHead head(store_);
+  EXPECT_EQ(head.tier(), FieldTier::local_sphere);
+  const auto pose = coilPoseOf(wanted_.target);
+  const auto coil = efield::fieldCoil(wanted_.coil).dipoles;
+  const auto known =
+      fieldOnCortex(*headField(store_, head.surfaces(), pose), head.surfaces(), coil, wanted_.target);
+  wanted_.rate.value = 66;
+  wanted_.drawn = std::make_shared<const surface::TriangleMesh>(head.surfaces().cortex);
+  const auto field = plannedField(head, wanted_, monitor_);
+  EXPECT_EQ(field.rate_A_per_us, 66);
+  EXPECT_NEAR(field.at_target, 66 * known.at_target.norm(), 1e-9);
+  EXPECT_NEAR(field.peak, 66 * known.peak, 1e-9);
+  EXPECT_NEAR(field.along_normal, 66 * std::abs(known.along_normal), 1e-9);
+  ASSERT_EQ(field.strength.size(), head.surfaces().cortex.vertices_mm.size());
+  EXPECT_NEAR(*std::max_element(field.strength.begin(), field.strength.end()), field.peak, 1e-4 * field.peak);
+  // On another surface: the same field at its own vertices.
+  auto above = head.surfaces().cortex;
+  above.vertices_mm = {wanted_.target.cortex_point.mm};
+  wanted_.drawn = std::make_shared<const surface::TriangleMesh>(above);
+  EXPECT_NEAR(plannedField(head, wanted_, monitor_).strength.at(0), field.at_target, 1e-4 * field.at_target);
+}
+
+TEST_F(PlannedFieldTest, APercentageNeedsTheCoilsLargestRate) {
+  const CurrentRate half{50, CurrentRate::Unit::output_pct};
+  auto coil = efield::fieldCoil("round").dipoles;
+  EXPECT_THAT(refusalOf([&] { inA_per_us(half, coil); }), HasSubstr("give the rate in A/us"));
+  coil.largest_didt_A_per_us = 140;
+  EXPECT_EQ(inA_per_us(half, coil), 70);
+}
+
+TEST_F(PlannedFieldTest, TheKeptShellsAreReadOnceForManyPoses) {
+  buildField(store_, monitor_);
+  const ReadHead head(store_);
+  EXPECT_EQ(head.tier(), FieldTier::three_shells);
+  for (const double x_mm : {0.0, 20.0}) {
+    auto target = wanted_.target;
+    target.mri_T_target = RigidTransform<Mri, frames::Target>(
+        target.mri_T_target.quaternion(), target.mri_T_target.translation_mm() + Eigen::Vector3d(x_mm, 0, 2));
+    const auto pose = coilPoseOf(target);
+    const Eigen::Matrix3Xd place = target.cortex_point.mm;
+    const auto coil = efield::fieldCoil(wanted_.coil).dipoles;
+    const auto fresh = headField(store_, head.surfaces(), pose);
+    EXPECT_EQ(head.near(pose)->at(coil, pose, place), fresh->at(coil, pose, place)) << x_mm;
+  }
+  const auto field = plannedField(head, wanted_, monitor_);
+  EXPECT_EQ(field.tier, FieldTier::three_shells);
+  EXPECT_NEAR(field.usual_error, 0.23, 1e-12);
+}
+
+TEST_F(PlannedFieldTest, ACancelledOneGivesNothing) {
+  const ReadHead head(store_);
+  monitor_.cancel();
+  EXPECT_THROW(plannedField(head, wanted_, monitor_), Cancelled);
+}
+
+}  // namespace
+}  // namespace facenav::steps

@@ -1,0 +1,34 @@
+#pragma once
+// FieldPanel: choices of the electric field: the switch, the coil, and the rate of its current.
+
+#include <QFrame>
+
+#include "plan/field_presenter.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace facenav::ui {
+
+class FieldPanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FieldPanel(FieldPresenter& presenter, QWidget* parent = nullptr);
+
+ signals:
+  /// The user wants to choose a file; a menu that contains this panel closes.
+  void choosing();
+
+ private:
+  void choose(int item);
+  void showChoices();
+
+  FieldPresenter& presenter_;
+  QCheckBox* is_on_;
+  QComboBox *coil_, *unit_;
+  QDoubleSpinBox* rate_;
+};
+
+}  // namespace facenav::ui
