@@ -64,6 +64,7 @@ void FieldPanel::showChoices() {
   unit_->setCurrentIndex(int(presenter_.rate().unit));
   coil_->clear();
   const QString words[] = {tr("figure-8, 70 mm"), tr("round, 90 mm")};
+  coil_->setMinimumContentsLength(int(words[0].size()) + 1);
   for (std::size_t i = 0; i < efield::builtInCoils().size(); ++i)
     coil_->addItem(words[i], QString::fromStdString(efield::builtInCoils()[i]));
   if (coil_->findData(presenter_.coil()) < 0)

@@ -14,12 +14,13 @@
 namespace facenav::ui {
 namespace {
 
+constexpr int kLine_px = 17;                        // of text, as sized() takes it
 constexpr int kWordsLines = 4, kProposalLines = 2;  // that are always there: what is below stays in place
 
 /// Gives a label the height of its lines, and more if its text needs more.
 void fitHeight(QLabel& label, int lines) {
   label.setMinimumHeight(
-      std::max(lines * label.fontMetrics().lineSpacing(), label.heightForWidth(label.width())));
+      std::max(sized(kLine_px * lines), label.text().isEmpty() ? 0 : label.heightForWidth(label.width())));
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ struct ArrowKey {
 /// Steps along the coil's own axes. The coil is seen from above, so its +x points left.
 constexpr ArrowKey kArrows[] = {
     {Qt::Key_Left, 1, 0}, {Qt::Key_Right, -1, 0}, {Qt::Key_Up, 0, 1}, {Qt::Key_Down, 0, -1}};
+constexpr int kTwoLines_px = 34;
 constexpr int kTargets_px = 150;              // of the list: four targets
 constexpr double kFar_mm = 5, kTurn_deg = 5;  // a step with Shift; a turn with Ctrl
 
@@ -195,10 +196,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   column->addWidget(heading);
   for (auto* label : {hint_, fault_}) {
     makeNarrow(*label);
-    whenTextScales(this, [label] {
-      label->ensurePolished();
-      label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
-    });
+    whenTextScales(this, [label] { label->setMinimumHeight(sized(kTwoLines_px)); });
     column->addWidget(label);
   }
   auto* body = new QWidget(panel);

@@ -27,6 +27,8 @@ void writeSessionTimes(const SessionTimes& times, const std::filesystem::path& s
                                     {"on_target_s", times.guided.on_target_s},
                                     {"adjust_s", times.guided.adjust_s},
                                     {"lost_s", times.guided.lost_s}};
+  if (!std::filesystem::exists(session_folder))
+    throw Error("the session's folder was removed", session_folder.string());
   writeWholeFile(session_folder / kName, json.dump(1) + "\n", FileAccess::owner_only);
 }
 
