@@ -70,6 +70,9 @@ QAbstractButton* buttonOf(const QWidget& window, const QString& words) {
 
 Robot::Robot(QWidget& window, QString job, const Look& look)
     : window_(window), job_(std::move(job)), look_(look) {
+  // Where other programs left the pointer, a button would look as if the mouse were on it.
+  QCursor::setPos(QGuiApplication::primaryScreen()->geometry().bottomRight());
+
   window_.resize(look_.size);
   QApplication::setCursorFlashTime(0);  // a picture does not change by itself
   QApplication::setActiveWindow(&window_);
