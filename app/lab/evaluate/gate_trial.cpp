@@ -63,11 +63,24 @@ cameras::StereoRig statedRig(const room::World& world, WorldFault fault, const c
   return room::calibratedRig(other, room::trueRig(other));
 }
 
+/// Where the head truly is, as the cameras measure it with the calibration in use.
+Eigen::Isometry3d seenTruth(const Trial& trial, int number, bool is_corrected) {
+  auto truth = trial.truth, used = trial.stated;
+  truth.right_T_left = trial.room->right_T_left(number);
+  if (is_corrected)  // by its true motion
+    used.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(
+        truth.right_T_left.isometry() * trial.truth.right_T_left.isometry().inverse() *
+        trial.stated.right_T_left.isometry());
+  const auto camera_T_mri = number < 0 ? trial.room->captureTruth() : trial.room->truth(number);
+  return poseAsMeasured(truth, used, camera_T_mri.isometry(), trial.head.target.mm);
+}
+
 void record(Trial& trial) {
   capture::RecordingWriter writer(trial.recording, trial.stated, FileAccess::by_umask, Existing::replace);
   writer.setCapture(trial.room->capture());
   for (int number = 0; number < room::WorldRoom::frameCount(); ++number) {
     writer.add(trial.room->frame(number));
+    writer.addTruth(number, seenTruth(trial, number, false), {});
     trial.visible.push_back(trial.room->faceVisibleFraction());
   }
   writer.close();
@@ -92,18 +105,6 @@ bool mustBeLost(const room::DrawnFault& fault, int number) {
     default:
       return false;
   }
-}
-
-/// Where the head truly is, as the cameras measure it with the calibration in use.
-Eigen::Isometry3d seenTruth(const Trial& trial, int number, bool is_corrected) {
-  auto truth = trial.truth, used = trial.stated;
-  truth.right_T_left = trial.room->right_T_left(number);
-  if (is_corrected)  // by its true motion
-    used.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(
-        truth.right_T_left.isometry() * trial.truth.right_T_left.isometry().inverse() *
-        trial.stated.right_T_left.isometry());
-  const auto camera_T_mri = number < 0 ? trial.room->captureTruth() : trial.room->truth(number);
-  return poseAsMeasured(truth, used, camera_T_mri.isometry(), trial.head.target.mm);
 }
 
 struct Off {
