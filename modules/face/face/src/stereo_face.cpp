@@ -8,8 +8,9 @@
 namespace facenav::face {
 namespace {
 
-constexpr double kLandmarkEpipolarShare = 0.05;  // share of the face's width
-constexpr double kLandmarkFit_mm = 9.0;          // a landmark's depth has an error of several mm
+// Share of the face's width. Landmarks of a small or dark face are off by some 8 %.
+constexpr double kLandmarkEpipolarShare = 0.1;
+constexpr double kLandmarkFit_mm = 9.0;  // a landmark's depth has an error of several mm
 
 bool agree(const cameras::StereoRig& rig, const StereoFace& face) {
   std::vector<double> epipolar_px;
