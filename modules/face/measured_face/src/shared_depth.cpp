@@ -65,7 +65,8 @@ FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& fa
   const auto& shared = settingsOf<stereo::SharedError>();
   const double stated_mm = statedDeviation_mm(face);
   return {std::hypot(sharedDepthSigma_mm(rig, face.cloud), shared.whole * stated_mm),
-          {shared.smooth * stated_mm, shared.reach_mm}};
+          {shared.smooth * stated_mm, shared.reach_mm},
+          stated_mm};
 }
 
 }  // namespace facenav::measured_face

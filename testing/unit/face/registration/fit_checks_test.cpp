@@ -72,8 +72,6 @@ const Verdict kVerdicts[] = {
        e.turn = CameraTurn{0.005, 0.001}, e.scanner_rad = 0.001;
      },
      "turned sideways", [](FitLimits& l) { l.refused_turn_z = 4; }},
-    {"largest_error_mm", [](FitEvidence& e) { e.predicted_error_mm = 3.2; }, "predicted error 3.2 mm",
-     [](FitLimits& l) { l.largest_error_mm = 3.5; }},
 };
 
 TEST(FitChecks, ARightHeadPassesWithoutACaution) {
@@ -167,8 +165,16 @@ TEST(FitChecks, CautionsNameSizeLooseSkinAndCovers) {
     EXPECT_EQ(cautionOf(spoil), "0 cautions");
 }
 
-FitEvidence evidenceOf(const PointCloud<Camera>& face, const RigidTransform<Camera, Mri>& camera_T_mri) {
-  return gatherEvidence(modelField(), face, camera_T_mri.isometry().inverse(), {}, {});
+TEST(FitChecks, ALoosePoseIsStatedAndNotRefused) {
+  FitEvidence evidence = rightHead();
+  evidence.predicted_error_mm = 6.0;
+  EXPECT_EQ(refusal(evidence), "");
+  EXPECT_THAT(cautionsOf(evidence), ::testing::ElementsAre(HasSubstr("to 6.0 mm only")));
+}
+
+FitEvidence evidenceOf(const PointCloud<Camera>& face, const RigidTransform<Camera, Mri>& camera_T_mri,
+                       double noise_mm = 0.0) {
+  return gatherEvidence(modelField(), face, camera_T_mri.isometry().inverse(), {}, {}, noise_mm);
 }
 
 TEST(FitEvidence, OfTheRightPoseIsCloseAndUnmirrored) {
@@ -228,6 +234,20 @@ TEST(FitEvidence, OfAnotherHeadIsRefused) {
   EXPECT_THROW(requireLikeness(evidenceOf(face, truth)), Error);
 }
 
+TEST(FitEvidence, OfANoisyFaceIsThisPersonsIfTheNoiseIsKnown) {
+  const auto truth = facing(8, -5, 3);
+  for (const double noise_mm : {1.0, 2.0, 3.0}) {
+    const auto own =
+        facenav::testing::measure(ModelHead(1), truth, {noise_mm, false, false, -60, 200, 5000, 7});
+    const auto other =
+        facenav::testing::measure(ModelHead(2), truth, {noise_mm, false, false, -60, 200, 5000, 7});
+    EXPECT_NO_THROW(requireLikeness(evidenceOf(own, truth, noise_mm))) << noise_mm;
+    EXPECT_THROW(requireLikeness(evidenceOf(other, truth, noise_mm)), Error) << noise_mm;
+  }
+  const auto coarse = facenav::testing::measure(ModelHead(1), truth, {3.0, false, false, -60, 200, 5000, 7});
+  EXPECT_THROW(requireLikeness(evidenceOf(coarse, truth)), Error) << "noise that is not stated is no skin";
+}
+
 TEST(FitEvidence, OfANoseAloneHasNoExtent) {
   const auto truth = facing(8, -5, 3);
   const PointCloud<Camera> face = modelFace(truth, 12000);
@@ -254,7 +274,7 @@ TEST(FitReport, TheCovarianceInCameraIsThatOfThePoseInMri) {
   const Eigen::Isometry3d pose = truth.isometry().inverse();
   const FinalFit fit = correct(modelField(), face, testing::allOf(face), pose, 1.0, {});
   const AlignmentResult result =
-      report(modelField(), face, fit, pose, {}, gatherEvidence(modelField(), face, pose, {}, {}));
+      report(modelField(), face, fit, pose, {}, gatherEvidence(modelField(), face, pose, {}, {}, 0.0));
   EXPECT_TRUE((result.camera_T_mri.isometry() * fit.mri_T_camera).matrix().isIdentity(1e-9));
   EXPECT_LT((result.covariance - result.covariance.transpose()).norm(), 1e-9);
   ASSERT_LT(std::abs(fit.posterior.scale), 2 * fit.posterior.scale_sigma) << "no size error is added";

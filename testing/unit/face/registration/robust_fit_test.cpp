@@ -107,7 +107,8 @@ TEST(RobustFit, AnObjectBeforeTheCheekNeitherPullsNorCounts) {
   const Eigen::Isometry3d right = truth.isometry().inverse();
   Vector6d off = Vector6d::Zero();
   off << 0.03, -0.02, 0.02, 2, -2, 2;
-  const RobustFit fit = fitFace(modelField(), covered.face, increment(off, modelField().middle_mm(), right));
+  const RobustFit fit =
+      fitFace(modelField(), covered.face, increment(off, modelField().middle_mm(), right), 0.0);
   EXPECT_LT(apart_mm(fit.mri_T_camera, right), 0.25);
   EXPECT_LT(rotationAngle((fit.mri_T_camera * right.inverse()).linear()), 0.2 * kRadPerDeg);
   EXPECT_GE(fit.limit_mm, 0.6);
@@ -127,7 +128,7 @@ TEST(RobustFit, EvenPointsAreAMillimetreApartAndBare) {
   RobustFit fit;
   fit.mri_T_camera = truth.isometry().inverse();
   const auto all = allOf(covered.face);
-  fit.covers = Covers(modelField(), covered.face, all, fit.mri_T_camera);
+  fit.covers = Covers(modelField(), covered.face, all, fit.mri_T_camera, 0.0);
   const auto even = evenPoints(modelField(), covered.face, fit);
   EXPECT_LE(even.size(), 10000u);
   int on_object = 0;
@@ -147,7 +148,7 @@ TEST(PartFits, TheLikeliestIsTheHeadAndNoneIsRuledOut) {
   Vector6d off = Vector6d::Zero();
   off << 0.03, 0.03, -0.03, 3, 2, -3;
   const auto fits =
-      fitParts(modelField(), face, allOf(face), increment(off, modelField().middle_mm(), right));
+      fitParts(modelField(), face, allOf(face), increment(off, modelField().middle_mm(), right), 0.0);
   ASSERT_FALSE(fits.empty());
   EXPECT_LT(apart_mm(fits.front().mri_T_camera, right), 0.4);
   for (std::size_t i = 1; i < fits.size(); ++i) {
@@ -162,7 +163,7 @@ TEST(SkinLikelihood, IsHighestAtTheHeadAndFallsWithTheDistance) {
   const auto truth = facing(5, -5, 0);
   const auto face = modelFace(truth, 1500);
   const FieldFitter fitter(modelField(), face, allOf(face));
-  const SkinLikelihood logLikelihood(modelField(), face, allOf(face));
+  const SkinLikelihood logLikelihood(modelField(), face, allOf(face), 0.0);
   const Eigen::Isometry3d right = truth.isometry().inverse();
   const double here = logLikelihood(fitter.match(right));
   for (int axis = 0; axis < 6; ++axis) {
@@ -183,7 +184,7 @@ TEST(SkinLikelihood, SaysWhichPatchesAreCovered) {
   std::vector<int> points;
   for (int p = 0; p < 3000; ++p) points.push_back(p);
   const auto share =
-      SkinLikelihood(modelField(), covered.face, points, 12.0)
+      SkinLikelihood(modelField(), covered.face, points, 0.0, 12.0)
           .covered(FieldFitter(modelField(), covered.face, points).match(truth.isometry().inverse()));
   ASSERT_EQ(share.size(), points.size());
   double on_object = 0, on_skin = 0;

@@ -7,8 +7,8 @@
 
 namespace facenav::registration {
 Covers::Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-               const Eigen::Isometry3d& mri_T_camera) {
-  const auto covered = SkinLikelihood(scalp, face, points, kPatch_mm)
+               const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
+  const auto covered = SkinLikelihood(scalp, face, points, noise_mm, kPatch_mm)
                            .covered(FieldFitter(scalp, face, points).match(mri_T_camera));
   for (std::size_t p = 0; p < points.size(); ++p)
     if (covered[p] > 0.5f) cubes_.of(face.points_mm[std::size_t(points[p])].cast<float>());

@@ -15,9 +15,10 @@ namespace facenav::registration {
 class Covers {
  public:
   Covers() = default;
-  /// Decides at a pose within 1 to 2 mm of the true one. `points`: 3 to 5 mm apart.
+  /// Decides at a pose within 1 to 2 mm of the true one. `points`: 3 to 5 mm apart. `noise_mm`: as in
+  /// AlignmentStart.
   Covers(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-         const Eigen::Isometry3d& mri_T_camera);
+         const Eigen::Isometry3d& mri_T_camera, double noise_mm);
 
   bool hold(const Eigen::Vector3d& p_camera_mm) const;
   /// The `points` that are not covered.

@@ -35,7 +35,7 @@ CameraTurn fused(const CameraTurn& a, const CameraTurn& b) {
 std::optional<FinalFit> fitTurned(const ScalpField& scalp, const PointCloud<Camera>& face,
                                   const AlignmentStart& start, const Eigen::Isometry3d& near) {
   try {
-    const RobustFit robust = fitFace(scalp, face, near);
+    const RobustFit robust = fitFace(scalp, face, near, start.noise_mm);
     return correct(scalp, face, evenPoints(scalp, face, robust), robust.mri_T_camera, robust.limit_mm, start);
   } catch (const Cancelled&) {
     throw;

@@ -192,7 +192,8 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   std::iota(all.begin(), all.end(), 0);
   const FieldFitter fitter(scalp, face, all);
   const auto matches = fitter.match(fit.mri_T_camera), nearest = fitter.match(closest);
-  const std::vector<float> weights = patchWeights(nearest, 4.0);
+  const std::vector<float> weights =
+      patchWeights(nearest, std::max(4.0, double(kNoiseReach) * start.noise_mm), start.noise_mm);
   double squares = 0;
   std::size_t offered = 0;
   Eigen::Vector3d face_mri_mm = Eigen::Vector3d::Zero();

@@ -13,6 +13,10 @@
 
 namespace facenav::registration {
 
+/// Residuals up to so many standard deviations of the measurement are always fitted: a normal distribution
+/// has 99.7 % there.
+constexpr float kNoiseReach = 3.0f;
+
 struct FitStage {
   float inside_mm, outside_mm;  // larger residuals have no weight
   int iterations;

@@ -61,14 +61,15 @@ class Followed {
  public:
   using Poses = std::vector<Eigen::Isometry3d>;
 
-  Followed(const ScalpField& scalp, const FieldFitter& all, const SkinLikelihood& log_likelihood)
-      : scalp_(scalp), all_(all), log_likelihood_(log_likelihood) {}
+  Followed(const ScalpField& scalp, const FieldFitter& all, const SkinLikelihood& log_likelihood,
+           double noise_mm)
+      : scalp_(scalp), all_(all), log_likelihood_(log_likelihood), noise_mm_(float(noise_mm)) {}
 
   void add(Poses poses) {
     keepNew(poses, begun_, 1);
-    fitAll(poses, 1.6f);
+    fitAll(poses, std::max(1.6f, kNoiseReach * noise_mm_));
     keepNew(poses, between_, 1);
-    fitAll(poses, 1.2f);
+    fitAll(poses, std::max(1.2f, kNoiseReach * noise_mm_));
     keepNew(poses, ended_, kMet);
     std::vector<PartFit> judged(poses.size());
     parallelFor(poses.size(), kCores, [&](std::size_t p, std::size_t) {
@@ -110,6 +111,7 @@ class Followed {
   const ScalpField& scalp_;
   const FieldFitter& all_;
   const SkinLikelihood& log_likelihood_;
+  const float noise_mm_;
   Poses begun_, between_, ended_;
   std::vector<PartFit> fits_;
 };
@@ -117,16 +119,18 @@ class Followed {
 }  // namespace
 
 std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>& face,
-                              const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera) {
+                              const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                              double noise_mm) {
   const FieldFitter all(scalp, face, points);
-  const SkinLikelihood logLikelihood(scalp, face, points);
+  const SkinLikelihood logLikelihood(scalp, face, points, noise_mm);
+  const float least_mm = kNoiseReach * float(noise_mm);
   const auto matches = all.match(mri_T_camera);
   const Extent extent(matches);
-  Followed followed(scalp, all, logLikelihood);
+  Followed followed(scalp, all, logLikelihood, noise_mm);
   std::vector<Eigen::Isometry3d> starts(std::size(kParts), mri_T_camera);
   parallelFor(starts.size(), kCores, [&](std::size_t part, std::size_t) {
     const FieldFitter alone(scalp, face, extent.members(kParts[part], points));
-    for (const float reach_mm : {6.0f, 4.0f, 2.5f, 1.5f})
+    for (const float reach_mm : {6.0f, 4.0f, std::max(2.5f, least_mm), std::max(1.5f, least_mm)})
       starts[part] = alone.fit(starts[part], {reach_mm, 0.67f * reach_mm, 4, true, kSettled_mm});
   });
   followed.add(std::move(starts));
@@ -137,7 +141,8 @@ std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>&
     const std::size_t axis = side / 2;
     off[Eigen::Index(axis)] = (side % 2 ? 1.0 : -1.0) * (axis < 3 ? kNearby_rad : kNearby_mm);
     starts[side] =
-        all.fit(increment(off, scalp.noseTip_mm(), starts[side]), {2.5f, 1.7f, 3, true, kSettled_mm});
+        all.fit(increment(off, scalp.noseTip_mm(), starts[side]),
+                {std::max(2.5f, least_mm), std::max(1.7f, 0.67f * least_mm), 3, true, kSettled_mm});
   });
   followed.add(std::move(starts));
   const std::vector<PartFit>& poses = followed.likeliestFirst();

@@ -13,8 +13,9 @@ struct PartFit {
 };
 
 /// Poses found from `mri_T_camera` (off by up to about 8 mm), the likeliest first. The others are those that
-/// the face does not exclude. `points`: of the head.
+/// the face does not exclude. `points`: of the head. `noise_mm`: as in AlignmentStart.
 std::vector<PartFit> fitParts(const ScalpField& scalp, const PointCloud<Camera>& face,
-                              const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera);
+                              const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                              double noise_mm);
 
 }  // namespace facenav::registration

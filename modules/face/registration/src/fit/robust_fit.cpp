@@ -24,7 +24,7 @@ constexpr double kSame_rad = 0.005, kSame_mm = 0.5;
 
 }  // namespace
 
-std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm) {
+std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm, double noise_mm) {
   constexpr std::size_t kUsual = 80;  // usual number of points in a patch
   CubeNumbers numbers(kHairPatch_mm);
   std::vector<int> patch_of(matches.size(), -1);
@@ -45,35 +45,40 @@ std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double r
     middle[i] = selectRank(residuals[i], residuals[i].size() / 2);
     sizes.push_back(double(std::abs(middle[i])));
   }
-  const double limit = std::clamp(kSigmaPerMad * 4.0 * upperMedian(sizes), 0.5, 1.5);
+  const double most = std::max(1.5, double(kNoiseReach) * noise_mm);
+  const double limit = std::clamp(kSigmaPerMad * 4.0 * upperMedian(sizes), 0.5, most);
   std::vector<float> weights(matches.size(), 0.0f);
   for (std::size_t p = 0; p < matches.size(); ++p)
     if (patch_of[p] >= 0) weights[p] = tukeyWeight(middle[std::size_t(patch_of[p])], float(limit));
   return weights;
 }
 
-double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm) {
+double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm, double noise_mm) {
   std::vector<double> sizes;
   for (const PointMatch& m : matches)
     if (m.is_valid && std::abs(m.residual_mm) < float(reach_mm))
       sizes.push_back(double(std::abs(m.residual_mm)));
-  return std::clamp(4.0 * kSigmaPerMad * upperMedian(sizes), 0.6, 3.0);
+  return std::clamp(4.0 * kSigmaPerMad * upperMedian(sizes), 0.6,
+                    std::max(3.0, double(kNoiseReach) * noise_mm));
 }
 
 namespace {
 
+float widestLimit_mm(double noise_mm) { return std::max(2.0f, kNoiseReach * float(noise_mm)); }
+
 /// Fits again with new weights, from within 1 to 2 mm.
-void closeIn(FieldFitter& fitter, Eigen::Isometry3d& mri_T_camera, float& limit_mm) {
+void closeIn(FieldFitter& fitter, Eigen::Isometry3d& mri_T_camera, float& limit_mm, double noise_mm) {
   const auto matches = fitter.match(mri_T_camera);
-  fitter.setWeights(patchWeights(matches, 4.0));
-  limit_mm = std::min(1.5f, float(inlierLimit_mm(matches, double(limit_mm))));
+  fitter.setWeights(patchWeights(matches, std::max(4.0, double(kNoiseReach) * noise_mm), noise_mm));
+  limit_mm = std::min(std::max(1.5f, kNoiseReach * float(noise_mm)),
+                      float(inlierLimit_mm(matches, double(limit_mm), noise_mm)));
   mri_T_camera = fitter.fit(mri_T_camera, {limit_mm, kOutside * limit_mm, 3, true});
 }
 
 /// Spread of the poses in `others` that stay distinct after a fit of all points, weighted by their
 /// likelihood.
 Matrix6d doubtOf(const std::vector<PartFit>& others, const Eigen::Isometry3d& mri_T_camera,
-                 FieldFitter& fitter, const Eigen::Vector3d& middle) {
+                 FieldFitter& fitter, const Eigen::Vector3d& middle, double noise_mm) {
   std::vector<Eigen::Isometry3d> seen{mri_T_camera};
   Matrix6d sum = Matrix6d::Zero();
   double total = 1;
@@ -86,8 +91,8 @@ Matrix6d doubtOf(const std::vector<PartFit>& others, const Eigen::Isometry3d& mr
       });
     };
     if (weight < kLeastWeight || !is_new()) continue;
-    float limit_mm = 2.0f;
-    closeIn(fitter, pose, limit_mm);
+    float limit_mm = widestLimit_mm(noise_mm);
+    closeIn(fitter, pose, limit_mm, noise_mm);
     if (!is_new()) continue;
     seen.push_back(pose);
     const Eigen::Isometry3d apart = pose * mri_T_camera.inverse();
@@ -102,21 +107,21 @@ Matrix6d doubtOf(const std::vector<PartFit>& others, const Eigen::Isometry3d& mr
 }  // namespace
 
 RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
-                  const Eigen::Isometry3d& mri_T_camera) {
+                  const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
   RobustFit fit;
   fit.mri_T_camera = mri_T_camera;
   fit.points =
       someOf(nearHead(scalp, face, someOf(finitePoints(face), kLooked), mri_T_camera, 20.0), kMostPoints);
   const auto some = thinOut(face, fit.points, 3.0, 4000), few = thinOut(face, some, 6.0, 800);
-  const auto parts = fitParts(scalp, face, few, mri_T_camera);
+  const auto parts = fitParts(scalp, face, few, mri_T_camera, noise_mm);
   fit.mri_T_camera = parts.front().mri_T_camera;
-  fit.covers = Covers(scalp, face, some, fit.mri_T_camera);
+  fit.covers = Covers(scalp, face, some, fit.mri_T_camera, noise_mm);
   fit.points = fit.covers.bare(face, fit.points);
   FieldFitter sparse(scalp, face, fit.covers.bare(face, some)), all(scalp, face, fit.points);
-  float limit_mm = 2.0f;
-  closeIn(sparse, fit.mri_T_camera, limit_mm);
-  fit.doubt = doubtOf(parts, fit.mri_T_camera, sparse, scalp.middle_mm());
-  closeIn(all, fit.mri_T_camera, limit_mm);
+  float limit_mm = widestLimit_mm(noise_mm);
+  closeIn(sparse, fit.mri_T_camera, limit_mm, noise_mm);
+  fit.doubt = doubtOf(parts, fit.mri_T_camera, sparse, scalp.middle_mm(), noise_mm);
+  closeIn(all, fit.mri_T_camera, limit_mm, noise_mm);
   fit.limit_mm = double(limit_mm);
   return fit;
 }
@@ -130,7 +135,7 @@ std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<
                                       const AlignmentStart& start) {
   const auto straight = descend(scalp, face, start);
   if (!straight) return {};
-  return fitFace(scalp, face, straight->mri_T_camera);
+  return fitFace(scalp, face, straight->mri_T_camera, start.noise_mm);
 }
 
 }  // namespace facenav::registration

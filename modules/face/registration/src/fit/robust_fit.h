@@ -19,8 +19,9 @@ struct RobustFit {
 };
 
 /// Starts within a few mm of the skin. Fits parts first (hair, hands), then all points on the fine field.
+/// `noise_mm`: as in AlignmentStart.
 RobustFit fitFace(const ScalpField& scalp, const PointCloud<Camera>& face,
-                  const Eigen::Isometry3d& mri_T_camera);
+                  const Eigen::Isometry3d& mri_T_camera, double noise_mm);
 
 /// Points of the cloud near the head and bare, evenly spread over the skin, at most 10 000. The misfit is
 /// modelled from them.
@@ -31,11 +32,13 @@ std::vector<int> evenPoints(const ScalpField& scalp, const PointCloud<Camera>& f
 std::optional<RobustFit> fitFromGuess(const ScalpField& scalp, const PointCloud<Camera>& face,
                                       const AlignmentStart& start);
 
-/// Four robust standard deviations of the matches' residuals within `reach_mm`, in 0.6 .. 3 mm.
-double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm);
+/// Four robust standard deviations of the matches' residuals within `reach_mm`, in 0.6 .. 3 mm, more under
+/// much noise.
+double inlierLimit_mm(const std::vector<PointMatch>& matches, double reach_mm, double noise_mm = 0.0);
 
 /// Weights 0..1 of points by the residual of the patch of skin around them. Hair, a collar or swollen skin
-/// lifts whole patches; noise does not. Residuals beyond `reach_mm` are ignored.
-std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm);
+/// lifts whole patches; noise of single points does not. Residuals beyond `reach_mm` are ignored.
+std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm,
+                                double noise_mm = 0.0);
 
 }  // namespace facenav::registration

@@ -132,8 +132,8 @@ struct SkinLikelihood::Labels {
 };
 
 SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face,
-                               const std::vector<int>& points, double patch_mm)
-    : regions_(scalp.noseTip_mm()) {
+                               const std::vector<int>& points, double noise_mm, double patch_mm)
+    : regions_(scalp.noseTip_mm()), noise_mm_(noise_mm) {
   CubeNumbers numbers(patch_mm);
   std::vector<Eigen::Vector3i> cubes;
   std::vector<double> counts;
@@ -155,10 +155,13 @@ SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>
 }
 
 std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<PointMatch>& matches) const {
-  static const std::array<LogDetail, kDetails> bare_detail{
-      LogDetail(kDetail_mm[0]), LogDetail(kDetail_mm[1]), LogDetail(kDetail_mm[2]), LogDetail(kDetail_mm[3])};
-  static const std::array<LogDetail, 3> cover_detail{
-      LogDetail(kCoverDetail_mm[0]), LogDetail(kCoverDetail_mm[1]), LogDetail(kCoverDetail_mm[2])};
+  const auto noisy = [this](double detail_mm) { return std::hypot(detail_mm, noise_mm_); };
+  const std::array<LogDetail, kDetails> bare_detail{
+      LogDetail(noisy(kDetail_mm[0])), LogDetail(noisy(kDetail_mm[1])), LogDetail(noisy(kDetail_mm[2])),
+      LogDetail(noisy(kDetail_mm[3]))};
+  const std::array<LogDetail, 3> cover_detail{LogDetail(noisy(kCoverDetail_mm[0])),
+                                              LogDetail(noisy(kCoverDetail_mm[1])),
+                                              LogDetail(noisy(kCoverDetail_mm[2]))};
   std::vector<Patch> patches(neighbours_.size());
   std::vector<std::vector<float>> residuals(patches.size());
   std::vector<Eigen::Vector3f> sums(patches.size(), Eigen::Vector3f::Zero());
@@ -182,7 +185,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     const double m = double(m_mm);
     for (std::size_t d = 0; d < kDetails; ++d) {
       const double detail = grains * bare_detail[d](residuals[i], m_mm);
-      const double mean2 = kDetail_mm[d] * kDetail_mm[d] / std::max(grains, 1.0);
+      const double mean2 = std::pow(noisy(kDetail_mm[d]), 2) / std::max(grains, 1.0);
       for (std::size_t s = 0; s < kSizes; ++s) {
         const double size2 = kSize_mm[s] * kSize_mm[s] + mean2;
         patch.bare[d][s] = detail + share * 0.5 * (double(std::log(float(mean2 / size2))) - m * m / size2);
@@ -190,7 +193,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     }
     patch.covered = -1e300;
     for (std::size_t d = 0; d < kCoverDetail_mm.size(); ++d) {
-      const double mean_mm = kCoverDetail_mm[d] * std::sqrt(2 * M_PI / std::max(grains, 1.0));
+      const double mean_mm = noisy(kCoverDetail_mm[d]) * std::sqrt(2 * M_PI / std::max(grains, 1.0));
       patch.covered = std::max(patch.covered, grains * cover_detail[d](residuals[i], m_mm) +
                                                   share * std::log(mean_mm * coverDensity(m)));
     }

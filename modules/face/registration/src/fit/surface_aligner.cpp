@@ -26,7 +26,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
                          TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
   auto gathering = std::async(std::launch::async, [&] {
-    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals);
+    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals, start.noise_mm);
   });
   std::optional<FinalFit> fit;
   try {
@@ -48,8 +48,8 @@ AlignmentResult search(const ScalpField& scalp, const PointCloud<Camera>& face, 
                        SearchWidth width, std::size_t most, TaskMonitor& monitor) {
   const auto candidates = findStarts(scalp, face, start, width, most, monitor);
   monitor.report("fitting the face", 0.5);
-  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera), candidates, start,
-                  monitor);
+  return conclude(scalp, face, fitFace(scalp, face, candidates.front().mri_T_camera, start.noise_mm),
+                  candidates, start, monitor);
 }
 
 /// Adds the error shared by the whole cloud (too near or too far), which the residuals do not show.

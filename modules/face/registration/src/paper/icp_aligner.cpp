@@ -129,11 +129,11 @@ class IcpAligner : public Aligner {
     // Point-to-point ICP converges slowly.
     best = closest.fit(thinOut(face, head, 3.0, 5000), best.mri_T_camera, 400);
     const auto matches = FieldFitter(scalp, face, head).match(best.mri_T_camera);
-    const Covers covers(scalp, face, thinOut(face, head, 3.0, 4000), best.mri_T_camera);
+    const Covers covers(scalp, face, thinOut(face, head, 3.0, 4000), best.mri_T_camera, start.noise_mm);
     const auto fit =
         judge(scalp, face, covers.bare(face, head), best.mri_T_camera, inlierLimit_mm(matches, 3.0));
     return report(scalp, face, fit, best.mri_T_camera, covers,
-                  gatherEvidence(scalp, face, best.mri_T_camera, covers, starts));
+                  gatherEvidence(scalp, face, best.mri_T_camera, covers, starts, start.noise_mm));
   }
 };
 

@@ -14,11 +14,12 @@ namespace facenav::measured_face {
 /// without points.
 double sharedDepthSigma_mm(const cameras::StereoRig& rig, const PointCloud<Camera>& face);
 
-/// Correlated errors of a measured face's points, for the alignment's bound. Sources: the cloud's predicted
+/// Errors of a measured face's points, for the alignment and its bound. Sources: the cloud's predicted
 /// deviation (stereo/shared_error.h) and the calibration.
 struct FaceError {
   double whole_mm = 0.0;           // shared by the whole face, along the view
   registration::SightError sight;  // shared by neighbouring points
+  double point_mm = 0.0;           // of single points, as the cloud states it
 };
 FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& face);
 

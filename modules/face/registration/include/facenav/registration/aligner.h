@@ -55,6 +55,9 @@ struct AlignmentStart {
   /// Standard error that all depths of the cloud share (calibration, matching). The residuals do not show it;
   /// the error bound includes it.
   double shared_depth_sigma_mm = 0.0;
+  /// Standard deviation of single points along the line of sight, as the measurement states it. The skin is
+  /// recognised under so much noise.
+  double noise_mm = 0.0;
   SightError sight;                     // included in the bound
   std::optional<TurnableCamera> right;  // empty: the right camera's turn is not estimated
   /// The turn as measured without the face (a marker or a board of known size), fused with the fit's own. If

@@ -23,7 +23,6 @@ struct FitLimits {
   double hairy = 0.35;
   double least_extent_mm = 45.0;
   double large_error_mm = 2.0;
-  double largest_error_mm = 3.0;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -73,8 +72,6 @@ struct FitLimits {
     visitor(
         kGoal("large_error_mm", 0.5, 5, "mm", "predicted error in the brain from which on it is reported"),
         self.large_error_mm);
-    visitor(kGoal("largest_error_mm", 0.5, 5, "mm", "largest predicted error in the brain"),
-            self.largest_error_mm);
   }
 
   static constexpr Evidence kHeads{
@@ -105,8 +102,8 @@ struct FitLimits {
       "person's; no other heads held out"};
   static constexpr Evidence kGoal{
       Origin::chosen,
-      "2 mm: the largest error that navigation should have; 3 mm: an error beyond 2 mm is then likelier than "
-      "not; painted heads 02 04 06 08 12 14 at 2 to 3 mm predicted were 1.8 mm off at most"};
+      "2 mm: the largest error that navigation should have; painted heads 02 04 06 08 12 14 at 2 to 3 mm "
+      "predicted were 1.8 mm off at most"};
 };
 
 }  // namespace facenav::registration
