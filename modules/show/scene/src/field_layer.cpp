@@ -26,6 +26,7 @@ constexpr double kLineShares[] = {0.5, 0.75, 0.9};
 constexpr double kLineAbove_mm = 0.7;  // above the colours, which lie 0.4 mm above the brain
 constexpr double kDot_mm = 1.8, kWordsAbove_mm = 9.0;
 constexpr int kWords_pt = 12;
+constexpr double kBehindWords = 0.7;
 constexpr palette::Rgb kWhite{1, 1, 1};
 
 /// Lines on the surface where the strength is 50, 75 and 90 % of the maximum.
@@ -107,6 +108,9 @@ struct FieldLayer::Implementation {
     words->SetPosition(above_mm.x(), above_mm.y(), above_mm.z());
     words->GetTextProperty()->SetFontSize(int(std::lround(kWords_pt * text_scale)));
     words->GetTextProperty()->SetColor(kWhite[0], kWhite[1], kWhite[2]);
+    words->GetTextProperty()->SetBackgroundColor(0, 0, 0);  // the coil is nearly always above them
+    words->GetTextProperty()->SetBackgroundOpacity(kBehindWords);
+    words->GetTextProperty()->BoldOn();
     words->GetTextProperty()->SetJustificationToCentered();
     add(words);
   }
