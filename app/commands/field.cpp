@@ -1,12 +1,11 @@
 // facenav field CASE --target NAME --coil COIL: the electric field of a planned pose on the cortex; the best
-// pose, the comparison with an imported field, and the output by field. The plan is not changed; the model of
-// the head is built and kept in the case where it is missing.
+// pose, the comparison with another target's pose or an imported field, and the output by field. The plan is
+// not changed; the model of the head is built and kept in the case where it is missing.
 
 #include <chrono>
 
 #include "commands/commands.h"
 #include "commands/field_print.h"
-#include "facenav/atlas/brain_template.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/standard_output.h"
@@ -19,7 +18,7 @@ namespace {
 
 struct FieldRequest {
   std::filesystem::path case_folder, case_option, output, compare;
-  std::string target, coil, best, hotspot;
+  std::string target, coil, best, hotspot, against;
   std::optional<double> didt_A_per_us, output_pct, threshold_pct;
   std::optional<int> tier;
   bool is_json = false, shows_arrows = false;
@@ -35,23 +34,12 @@ std::optional<double> rateOf(const FieldRequest& request, const efield::CoilDipo
   return coil.largest_didt_A_per_us * *request.output_pct / 100;
 }
 
-/// Names the AAL label of a place; empty if the case has no atlas or the labels are not installed.
-steps::LabelOf labelsOf(const casefile::CaseStore& store) {
-  const auto map = store.atlas();
-  if (!map) return {};
-  try {
-    const auto labels = std::make_shared<const atlas::LabelMap>(atlas::readColin27().aal);
-    return [labels, map](const Point<Mri>& p) { return atlas::labelAt(*labels, map->toMni(p)).name; };
-  } catch (const Error&) {
-    return {};  // the volumes are printed without labels
-  }
-}
-
 class FieldSteps {
  public:
   FieldSteps(const FieldRequest& request, Context& context)
       : request_(request),
         is_quiet_(context.is_quiet),
+        monitor_(context.monitor),
         store_(casefile::CaseStore::open(request.case_folder.empty() ? request.case_option
                                                                      : request.case_folder)),
         plan_(store_.targets()) {
@@ -61,7 +49,7 @@ class FieldSteps {
     report_.shows_arrows = request.shows_arrows;
     surfaces_ = steps::fieldSurfaces(store_);
     report_.has_sulci = surfaces_.has_sulci;
-    if (request.tier != 0) buildShells(context.monitor);
+    if (request.tier != 0) buildShells();
     head_ = headAt(report_.target);
     report_.head = head_.get();
   }
@@ -71,9 +59,11 @@ class FieldSteps {
     report_.on_cortex = steps::fieldOnCortex(*head_, surfaces_, coil, report_.target);
     const bool is_shown = request_.is_json || !is_quiet_;
     if (is_shown && surfaces_.brain_mask)
-      report_.regions = steps::fieldRegions(*head_, surfaces_, coil, report_.target, report_.on_cortex.peak,
-                                            labelsOf(store_));
+      report_.regions = steps::fieldInBrain(*head_, surfaces_, coil, report_.target, report_.on_cortex,
+                                            monitor_, steps::aalLabels(store_))
+                            .regions;
     if (!request_.best.empty()) findBest();
+    if (!request_.against.empty()) compareWith(plan_.find(request_.against));
     if (!request_.hotspot.empty()) findDose();
     if (!request_.compare.empty())
       report_.comparison = steps::compareField(*head_, surfaces_, coil, report_.target, request_.compare,
@@ -86,10 +76,10 @@ class FieldSteps {
 
  private:
   /// Builds the three shells if the case can have them and does not.
-  void buildShells(TaskMonitor& monitor) const {
+  void buildShells() const {
     if (!steps::canHaveField(store_) || steps::keptField(store_)) return;
     try {
-      steps::buildField(store_, monitor);
+      steps::buildField(store_, monitor_);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -110,6 +100,17 @@ class FieldSteps {
     const auto begin = std::chrono::steady_clock::now();
     report_.best = steps::bestPose(*head_, surfaces_, planned, report_.coil.dipoles, report_.target, aim);
     report_.best_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    report_.best_comparison = comparedWith(report_.best->target);
+  }
+
+  steps::PoseComparison comparedWith(const guidance::Target& other) const {
+    return steps::comparePoses(*head_, *headAt(other), surfaces_, report_.coil.dipoles, report_.target,
+                               other);
+  }
+
+  void compareWith(const guidance::Target& other) {
+    report_.against = other.name;
+    report_.pose_comparison = comparedWith(other);
   }
 
   void findDose() {
@@ -123,6 +124,7 @@ class FieldSteps {
 
   const FieldRequest& request_;
   bool is_quiet_;
+  TaskMonitor& monitor_;
   casefile::CaseStore store_;
   guidance::TreatmentPlan plan_;
   steps::FieldSurfaces surfaces_;
@@ -158,6 +160,8 @@ void addFieldOptions(CLI::App& verb, FieldRequest& request) {
           "finds handle angle and place within 2 x 2 cm for the most field: strength (at the target), normal "
           "(along the normal of its cortex); the plan stays")
       ->check(CLI::IsMember({"strength", "normal"}));
+  verb.add_option("--against", request.against,
+                  "another target of the plan: how the field of its pose differs from this one");
   auto* hotspot =
       verb.add_option("--hotspot", request.hotspot, "target of the motor hotspot, for the dose by field");
   auto* threshold =

@@ -67,8 +67,10 @@ void printStrengths(const FieldReport& report) {
 
 void printRegions(const FieldReport& report) {
   if (!report.regions) return;
+  const char* surface = report.has_sulci ? "cortex" : "the brain's hull";
   for (const auto& region : *report.regions) {
-    std::printf("above %.0f %%   %.1f ml", 100 * region.share, region.volume_ml);
+    std::printf("above %.0f %%   %.0f mm2 of %s, %.1f ml of the brain", 100 * region.share, region.area_mm2,
+                surface, region.volume_ml);
     const char* between = ": ";
     for (const auto& [name, ml] : largestLabels(region)) {
       std::printf("%s%s %.1f", between, name.c_str(), ml);
@@ -78,27 +80,44 @@ void printRegions(const FieldReport& report) {
   }
 }
 
+/// "-12 % at the target, maximum 1.03 of it and 9.0 mm from it, correlation 0.87".
+std::string differenceWords(const steps::PoseComparison& compared) {
+  return formatted("%+.0f %% at the target, maximum %.2f of it and %.1f mm from it, correlation %.2f",
+                   100 * compared.change(), compared.peak_ratio, compared.peak_shift_mm,
+                   compared.correlation);
+}
+
+void printComparisons(const FieldReport& report) {
+  if (const auto& compared = report.best_comparison)
+    std::printf("             against the planned pose: %s\n", differenceWords(*compared).c_str());
+  if (const auto& compared = report.pose_comparison)
+    std::printf("against      the pose of '%s' would give: %s; at its own target %s\n",
+                report.against.c_str(), differenceWords(*compared).c_str(),
+                strength(report, compared->other_at_its_own).c_str());
+  if (const auto& imported = report.comparison) {
+    std::printf(
+        "compared     %d points: relative error %.1f %%, maximum %.2f of the imported one, %.1f mm from it\n",
+        imported->points, 100 * imported->relative_error, imported->peak_ratio, imported->peak_shift_mm);
+    if (imported->is_scaled)
+      std::printf(
+          "             scaled first: the imported field is that of %.2f A/us; --didt gives its rate\n",
+          imported->scale);
+  }
+}
+
 void printExtras(const FieldReport& report) {
   if (const auto& best = report.best) {
     // The coil's x points to the left of a person who looks along its axis into the head.
     std::printf(
         "best pose    turned by %.0f deg clockwise, moved by %.1f mm to the %s (seen from above) and %.1f mm "
         "%s: %s\n",
-        best->turned_deg, std::abs(best->x_mm), best->x_mm > 0 ? "left" : "right", std::abs(best->y_mm),
+        best->turned_deg, std::abs(best->x_mm), best->x_mm >= 0 ? "left" : "right", std::abs(best->y_mm),
         best->y_mm < 0 ? "backwards" : "forwards", strength(report, best->best).c_str());
     std::printf(
         "             planned %.3f V/m at 1 A/us (%+.0f %%); %d poses in %.1f s; the plan stays as it is\n",
         best->planned, 100 * (best->best / best->planned - 1), best->poses, report.best_s);
   }
-  if (const auto& compared = report.comparison) {
-    std::printf(
-        "compared     %d points: relative error %.1f %%, maximum %.2f of the imported one, %.1f mm from it\n",
-        compared->points, 100 * compared->relative_error, compared->peak_ratio, compared->peak_shift_mm);
-    if (compared->is_scaled)
-      std::printf(
-          "             scaled first: the imported field is that of %.2f A/us; --didt gives its rate\n",
-          compared->scale);
-  }
+  printComparisons(report);
   if (const auto& dose = report.dose)
     std::printf("dose         %.0f %% of the output gives the target the field of '%s' at %.0f %%%s\n",
                 dose->output_pct, dose->hotspot.c_str(), dose->threshold_pct,
@@ -126,25 +145,40 @@ Json coilJson(const FieldReport& report) {
   return json;
 }
 
-Json regionsJson(const std::array<steps::FieldRegion, 3>& regions) {
+Json regionsJson(const steps::FieldRegions& regions) {
   Json list = Json::array();
   for (const auto& region : regions) {
     Json labels = Json::object();
     for (const auto& [name, ml] : region.by_label) labels[name] = ml;
-    list.push_back({{"above_share", region.share}, {"ml", region.volume_ml}, {"by_label_ml", labels}});
+    list.push_back({{"above_share", region.share},
+                    {"cortex_mm2", region.area_mm2},
+                    {"ml", region.volume_ml},
+                    {"by_label_ml", labels}});
   }
   return list;
 }
 
+Json differenceJson(const steps::PoseComparison& compared) {
+  return {{"target_v_per_m_at_1_a_per_us", compared.at_target},
+          {"other_at_target_v_per_m_at_1_a_per_us", compared.other_at_target},
+          {"other_at_its_own_v_per_m_at_1_a_per_us", compared.other_at_its_own},
+          {"change_at_target", compared.change()},
+          {"maximum_ratio", compared.peak_ratio},
+          {"maximum_shift_mm", compared.peak_shift_mm},
+          {"correlation", compared.correlation}};
+}
+
 Json bestJson(const FieldReport& report) {
   const auto& best = *report.best;
-  return {{"turned_deg", best.turned_deg},
-          {"moved_mm", {best.x_mm, best.y_mm}},
-          {"v_per_m_at_1_a_per_us", best.best},
-          {"planned_v_per_m_at_1_a_per_us", best.planned},
-          {"poses", best.poses},
-          {"seconds", report.best_s},
-          {"mri_T_target", rowMajor(best.target.mri_T_target)}};
+  Json json{{"turned_deg", best.turned_deg},
+            {"moved_mm", {best.x_mm, best.y_mm}},
+            {"v_per_m_at_1_a_per_us", best.best},
+            {"planned_v_per_m_at_1_a_per_us", best.planned},
+            {"poses", best.poses},
+            {"seconds", report.best_s},
+            {"mri_T_target", rowMajor(best.target.mri_T_target)}};
+  if (report.best_comparison) json["against_planned"] = differenceJson(*report.best_comparison);
+  return json;
 }
 
 Json asJson(const FieldReport& report) {
@@ -171,6 +205,10 @@ Json asJson(const FieldReport& report) {
   json["maximum_distance_mm"] = field.peak_distance_mm;
   json["regions"] = report.regions ? regionsJson(*report.regions) : Json();
   if (report.best) json["best"] = bestJson(report);
+  if (report.pose_comparison) {
+    json["against"] = differenceJson(*report.pose_comparison);
+    json["against"]["target"] = report.against;
+  }
   if (const auto& compared = report.comparison)
     json["comparison"] = {{"points", compared->points},
                           {"relative_error", compared->relative_error},

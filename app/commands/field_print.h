@@ -5,6 +5,7 @@
 
 #include "facenav/efield/coil_file.h"
 #include "facenav/plan/best_pose.h"
+#include "facenav/plan/field_region.h"
 
 namespace facenav::app {
 
@@ -21,10 +22,13 @@ struct FieldReport {
   const steps::HeadField* head = nullptr;
   steps::FieldOnCortex on_cortex;
   bool has_sulci = false;
-  std::optional<std::array<steps::FieldRegion, 3>> regions = {};
+  std::optional<steps::FieldRegions> regions = {};
   std::optional<double> rate_A_per_us = {};  // nothing: not known, fields are shown at 1 A/us alone
   std::optional<steps::BestPose> best = {};
-  double best_s = 0;  // time that the search took
+  double best_s = 0;                                          // time that the search took
+  std::optional<steps::PoseComparison> best_comparison = {};  // of the best pose
+  std::string against = {};                                   // target whose pose is compared
+  std::optional<steps::PoseComparison> pose_comparison = {};
   std::optional<steps::FieldComparison> comparison = {};
   std::optional<FieldDose> dose = {};
   bool shows_arrows = false;

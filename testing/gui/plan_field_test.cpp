@@ -9,14 +9,18 @@
 #include <QPushButton>
 #include <cstdlib>
 
+#include "facenav/core/error.h"
+#include "facenav/prepare/case_field.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "plan/field_panel.h"
 #include "plan/field_view.h"
 #include "plan/plan_workspace.h"
+#include "prepare/prepare_queue.h"
 #include "shell/appearance.h"
 #include "shell/colour_legend.h"
 #include "shell/linked_views.h"
+#include "support/ball_with_cortex.h"
 #include "support/window_checks.h"
 
 namespace facenav::ui {
@@ -112,6 +116,97 @@ TEST_F(PlanField, TheSwitchColoursTheBrainAndSaysTheNumbers) {
   press("Electric field");
   EXPECT_FALSE(view->isVisible());
   EXPECT_EQ(differing(plain, picture()), 0);
+}
+
+TEST_F(PlanField, TheSlicesShowTheFieldInTheBrainAndTheMenuItsRegion) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto fieldsOnSlices = [&] {
+    const auto overlay = field_->sliceOverlay();
+    return overlay && overlay->map && overlay->within == model_.current().brain_mask;
+  };
+  FieldPanel panel(*field_);
+  const auto* region = panel.findChild<QLabel*>("figures_text");
+  EXPECT_EQ(region->text(), "");
+  press("Electric field");
+  ASSERT_TRUE(waitForField());
+  EXPECT_TRUE(region->text().contains("measuring"));
+  ASSERT_TRUE(fixtures::waitFor([&] { return field_->reach() != nullptr; }));
+  EXPECT_TRUE(fieldsOnSlices());
+  const auto& regions = *field_->reach()->regions;
+  for (const auto& one : regions)
+    EXPECT_THAT(region->text().toStdString(),
+                HasSubstr(QString("above %1 %: %2 mm\u00b2 of the brain's hull, %3 ml of the brain")
+                              .arg(std::lround(100 * one.share))
+                              .arg(std::lround(one.area_mm2))
+                              .arg(one.volume_ml, 0, 'f', 1)
+                              .toStdString()));
+  if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES")) {
+    panel.show();
+    QApplication::processEvents();
+    panel.grab().save(QString("%1/plan_field_menu.png").arg(pictures));
+  }
+  plan_.nudgeActive(3, 0);
+  EXPECT_FALSE(field_->sliceOverlay()) << "nothing of the old pose";
+  EXPECT_TRUE(region->text().contains("measuring"));
+  ASSERT_TRUE(fixtures::waitFor([&] { return field_->reach() != nullptr; }));
+  press("Electric field");
+  EXPECT_FALSE(field_->sliceOverlay());
+  EXPECT_EQ(region->text(), "");
+}
+
+TEST_F(PlanField, AnotherTargetsPoseIsComparedAtTheActiveOne) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const QString first = plan_.activeName();
+  plan_.addTargetNear(Point<Mri>(30, 6, 20));
+  press("Electric field");
+  field_->setAgainst(first);
+  ASSERT_TRUE(fixtures::waitFor([&] { return field_->reach() != nullptr; }));
+  const auto compared = *field_->reach()->against;
+  EXPECT_NEAR(compared.at_target, field_->shown()->at_target, 1e-9);
+  const auto words = field_->againstWords();
+  EXPECT_TRUE(words.startsWith(QString("against '%1': -").arg(first))) << words.toStdString();
+  bool is_shown = false;
+  for (const auto* label : page_->findChild<FieldView*>()->findChildren<QLabel*>())
+    is_shown = is_shown || (label->isVisible() && label->text() == words);
+  EXPECT_TRUE(is_shown);
+  plan_.setActive(first);
+  ASSERT_TRUE(fixtures::waitFor([&] { return field_->reach() != nullptr; }));
+  EXPECT_FALSE(field_->reach()->against) << "a target is not compared with itself";
+  EXPECT_EQ(field_->againstWords(), "");
+}
+
+TEST_F(PlanField, AnOldModelIsReadOnceSaidAndBuiltAgainInTheBackground) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto folder = folder_.path() / "old";
+  const auto store = casefile::CaseStore::create(folder, facenav::testing::ballWithCortex(), {}, false);
+  efield::writeCortexField({}, "made from other masks", steps::fieldFile(store));
+  std::vector<std::string> asked;
+  services_.buildField = [&](const std::filesystem::path& which, TaskMonitor&) {
+    asked.push_back(which.filename().string());
+    if (asked.size() == 1) throw Error("no memory for the equations");
+    std::filesystem::remove(steps::fieldFile(store));  // so that it is no longer the old one
+  };
+  PrepareQueue queue(services_);
+  page_->buildFieldsBy(queue);
+  TaskMonitor monitor;
+  model_.open(loadCase(folder, monitor));
+  plan_.addTargetNear(Point<Mri>(0, 0, 66));
+  press("Electric field");
+  const auto says = [&](const char* text) {
+    return fixtures::waitFor([&] { return words().find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("older than the masks and could not be built again: no memory")) << words();
+  EXPECT_EQ(field_->shown()->tier, steps::FieldTier::local_sphere);
+  const auto read = field_->head();
+  plan_.nudgeActive(1, 0);
+  ASSERT_TRUE(waitForField());
+  EXPECT_EQ(field_->head(), read) << "the case is not read again for another pose";
+  EXPECT_EQ(asked.size(), 1u) << "asked once";
+  model_.open(loadCase(folder, monitor));
+  EXPECT_TRUE(fixtures::waitFor([&] { return asked.size() == 2; }));
+  EXPECT_TRUE(fixtures::waitFor([&] {
+    return field_->shown() && words().find("older") == std::string::npos;
+  })) << words();
 }
 
 TEST_F(PlanField, AMovedTargetTakesTheOldColoursAwayAtOnce) {

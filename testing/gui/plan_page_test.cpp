@@ -45,6 +45,7 @@ class PlanPage : public ::testing::Test {
     QApplication::processEvents();
   }
   Eigen::Vector3d cortex_mm() const { return plan_.active()->cortex_point.mm; }
+  Eigen::Vector3d plate_mm() const { return plan_.active()->mri_T_target.translation_mm(); }
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& target : model_.current().store.targets().targets) all.push_back(target.name);
@@ -68,15 +69,15 @@ TEST_F(PlanPage, PlainArrowsMoveTheTargetWhileAViewHasTheFocus) {
   for (auto* view : views) {
     EXPECT_TRUE(view->toolTip().contains("arrows")) << view->metaObject()->className();
     view->setFocus();
-    const Eigen::Vector3d start_mm = cortex_mm(), left = axes().col(0), ahead = axes().col(1);
+    const Eigen::Vector3d start_mm = plate_mm(), left = axes().col(0), ahead = axes().col(1);
     QTest::keyClick(view, Qt::Key_Left);
-    EXPECT_NEAR((cortex_mm() - start_mm).dot(left), 1.0, 1e-6) << view->metaObject()->className();
+    EXPECT_NEAR((plate_mm() - start_mm).dot(left), 1.0, 0.03) << view->metaObject()->className();
     QTest::keyClick(view, Qt::Key_Right);
-    EXPECT_LT((cortex_mm() - start_mm).norm(), 0.1);
+    EXPECT_LT((plate_mm() - start_mm).norm(), 0.1);
     QTest::keyClick(view, Qt::Key_Up, Qt::ShiftModifier);
-    EXPECT_NEAR((cortex_mm() - start_mm).dot(ahead), 5.0, 0.2);
+    EXPECT_NEAR((plate_mm() - start_mm).dot(ahead), 5.0, 0.2);
     QTest::keyClick(view, Qt::Key_Down, Qt::ShiftModifier | Qt::KeypadModifier);
-    EXPECT_LT((cortex_mm() - start_mm).norm(), 1.0);
+    EXPECT_LT((plate_mm() - start_mm).norm(), 1.0);
     const Eigen::Matrix3d before = axes();
     QTest::keyClick(view, Qt::Key_Right, Qt::ControlModifier);
     const double turned_deg = std::atan2(axes().col(1).dot(-before.col(0)), axes().col(1).dot(before.col(1)));

@@ -59,6 +59,25 @@ TEST_F(Field, AnswersAProgram) {
   EXPECT_EQ(json["regions"].size(), 3u);
 }
 
+TEST_F(Field, ComparesThePosesOfTwoTargets) {
+  const auto run = field("--target deep --coil figure8-70 --against hotspot --json");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const auto json = nlohmann::json::parse(run.output);
+  const auto hotspot = nlohmann::json::parse(field("--target hotspot --coil figure8-70 --json").output);
+  const auto& against = json["against"];
+  EXPECT_EQ(against["target"], "hotspot");
+  EXPECT_EQ(against["target_v_per_m_at_1_a_per_us"], json["at_1_a_per_us"]["target_v_per_m"]);
+  EXPECT_EQ(against["other_at_its_own_v_per_m_at_1_a_per_us"], hotspot["at_1_a_per_us"]["target_v_per_m"]);
+  EXPECT_LT(against["change_at_target"], 0) << "its coil stands elsewhere";
+  EXPECT_GT(against["maximum_shift_mm"], 10);
+  EXPECT_LT(against["correlation"], 0.95);
+  EXPECT_GT(json["regions"][0]["cortex_mm2"], json["regions"][1]["cortex_mm2"]);
+  const auto text = field("--target deep --coil figure8-70 --against hotspot --best strength");
+  EXPECT_THAT(text.output, AllOf(HasSubstr("the pose of 'hotspot' would give: -"),
+                                 HasSubstr("against the planned pose: +"),
+                                 HasSubstr("mm2 of the brain's hull"), HasSubstr("ml of the brain")));
+}
+
 TEST_F(Field, WritesFilesAndComparesThem) {
   for (const char* name : {"E.vtp", "E.msh"}) {
     const auto written = field("--target deep --coil round --didt 50 -o " + at(name));
@@ -91,6 +110,7 @@ TEST_F(Field, RefusesInOneLine) {
   expect("--target deep --coil round -o E.txt", 2, "no name of a field");
   expect("--target deep --coil round --hotspot hotspot", 2, "--threshold");
   expect("--target deep --coil round --compare none.msh", 1, "none.msh");
+  expect("--target deep --coil round --against nowhere", 1, "nowhere");
   expect("--coil round", 2, "--target");
 }
 

@@ -8,13 +8,10 @@ namespace {
 const char* const kBestPoseAim = "plan/best_pose_along_normal";
 
 /// "turned 20 degrees clockwise, 5 mm forwards, 10 mm to the left", seen from above: the coil's x points
-/// left. The move is that of the coil's centre.
-QString bestMoveWords(const steps::BestPose& best, const guidance::Target& planned) {
-  const auto& from = planned.mri_T_target;
-  const Eigen::Vector3d moved_mm =
-      from.rotation().transpose() * (best.target.mri_T_target.translation_mm() - from.translation_mm());
-  const long turned_deg = std::lround(best.turned_deg), left_mm = std::lround(moved_mm.x()),
-             ahead_mm = std::lround(moved_mm.y());
+/// left.
+QString bestMoveWords(const steps::BestPose& best) {
+  const long turned_deg = std::lround(best.turned_deg), left_mm = std::lround(best.x_mm),
+             ahead_mm = std::lround(best.y_mm);
   QStringList parts;
   if (turned_deg != 0)
     parts << (turned_deg > 0 ? BestPosePresenter::tr("turned %1\u00b0 clockwise")
@@ -70,15 +67,17 @@ void BestPosePresenter::search() {
   if (!isPossible()) return;
   forget();
   searched_wish_ = wish_;
-  planned_ = field_.wanted()->target;
   const auto& c = model_.current();
   runner_.start(tr("Best pose"),
                 [this, wish = wish_, wanted = *field_.wanted(), head = field_.head(), aim = aim_,
                  planned = steps::PlannedHead{c.scalp, c.head_mask, c.brain, c.coil.plate}](
                     TaskMonitor& monitor) -> TaskRunner::Delivery {
                   const auto best = steps::bestPlannedPose(*head, planned, wanted, aim, monitor);
-                  return [this, wish, best] {
-                    if (wish == wish_) proposal_ = best;
+                  const auto compared = steps::comparePlanned(*head, wanted, best.target);
+                  return [this, wish, best, compared] {
+                    if (wish != wish_) return;
+                    proposal_ = best;
+                    compared_ = compared;
                   };
                 });
   emit changed();
@@ -96,8 +95,8 @@ QString BestPosePresenter::words() const {
   if (!proposal_) return {};
   const QString now = strengthFigure(proposal_->planned);
   if (!hasProposal()) return tr("the planned pose is the best one: %1 V/m").arg(now);
-  return tr("%1: %2 V/m in place of %3")
-      .arg(bestMoveWords(*proposal_, planned_), strengthFigure(proposal_->best), now);
+  return tr("%1: %2 V/m in place of %3; %4")
+      .arg(bestMoveWords(*proposal_), strengthFigure(proposal_->best), now, differenceWords(compared_));
 }
 
 }  // namespace facenav::ui

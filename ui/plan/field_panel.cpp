@@ -1,5 +1,7 @@
 #include "plan/field_panel.h"
 
+#include <QActionEvent>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -7,6 +9,8 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 
 #include "shell/users_words.h"
@@ -43,8 +47,26 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   };
   connect(rate_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, setRate);
   connect(unit_, QOverload<int>::of(&QComboBox::activated), this, setRate);
+  reach_ = new QLabel(this);
+  reach_->setObjectName("figures_text");
+  reach_->setToolTip(tr(
+      "what gets at least 50, 75 and 90 % of the maximum: area of the cortex' surface; volume of the brain "
+      "mask, grey and white matter together, by AAL label in ml"));
+  form->addRow(reach_);
   connect(&presenter_, &FieldPresenter::changed, this, &FieldPanel::showChoices);
+  connect(&presenter_, &FieldPresenter::reachChanged, this, &FieldPanel::showReach);
   showChoices();
+  showReach();
+}
+
+void FieldPanel::showReach() {
+  const QString words = presenter_.reachWords();
+  reach_->setText(words.isEmpty() && presenter_.wanted() ? tr("measuring the region \u2026") : words);
+  reach_->setVisible(!reach_->text().isEmpty());
+  auto* menu = qobject_cast<QMenu*>(parentWidget());
+  if (!menu || !menu->isVisible()) return;
+  QActionEvent grown(QEvent::ActionChanged, menu->actions().first());
+  QApplication::sendEvent(menu, &grown);  // an open menu takes the new size
 }
 
 void FieldPanel::choose(int item) {

@@ -1,5 +1,6 @@
 #pragma once
-// FieldPanel: choices of the electric field: the switch, the coil, and the rate of its current.
+// FieldPanel: choices of the electric field: the switch, the coil, and the rate of its current; below them
+// the region that the field reaches.
 
 #include <QFrame>
 
@@ -8,6 +9,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace facenav::ui {
 
@@ -24,11 +26,13 @@ class FieldPanel : public QFrame {
  private:
   void choose(int item);
   void showChoices();
+  void showReach();
 
   FieldPresenter& presenter_;
   QCheckBox* is_on_;
   QComboBox *coil_, *unit_;
   QDoubleSpinBox* rate_;
+  QLabel* reach_;
 };
 
 }  // namespace facenav::ui

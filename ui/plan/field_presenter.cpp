@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "facenav/prepare/case_field.h"
+#include "prepare/prepare_queue.h"
 
 namespace facenav::ui {
 namespace {
@@ -19,22 +20,38 @@ steps::CurrentRate limitedRate(steps::CurrentRate rate) {
   return rate;
 }
 
-bool isSameWish(const std::optional<steps::WantedField>& a, const std::optional<steps::WantedField>& b) {
-  if (!a || !b) return !a && !b;
-  const auto& left = a->target;
-  const auto& right = b->target;
+bool isSamePose(const guidance::Target& left, const guidance::Target& right) {
   return left.mri_T_target.rotation() == right.mri_T_target.rotation() &&
          left.mri_T_target.translation_mm() == right.mri_T_target.translation_mm() &&
-         left.cortex_point.mm == right.cortex_point.mm && a->coil == b->coil && a->rate == b->rate &&
-         a->drawn == b->drawn;
+         left.cortex_point.mm == right.cortex_point.mm;
 }
 
-/// Reads the case, or takes what was read unless a better model was built meanwhile.
+bool isSameWish(const std::optional<steps::WantedField>& a, const std::optional<steps::WantedField>& b) {
+  if (!a || !b) return !a && !b;
+  const bool is_against_same =
+      a->against && b->against ? a->against->name == b->against->name && isSamePose(*a->against, *b->against)
+                               : !a->against && !b->against;
+  return isSamePose(a->target, b->target) && a->coil == b->coil && a->rate == b->rate &&
+         a->drawn == b->drawn && is_against_same;
+}
+
+/// Reads the case, or takes what was read unless another model was written meanwhile.
 std::shared_ptr<const steps::ReadHead> currentHead(const casefile::CaseStore& store,
                                                    std::shared_ptr<const steps::ReadHead> known) {
-  const bool is_best = known && (known->tier() != steps::FieldTier::local_sphere ||
-                                 !std::filesystem::exists(steps::fieldFile(store)));
-  return is_best ? known : std::make_shared<const steps::ReadHead>(store);
+  return known && known->isCurrent(store) ? known : std::make_shared<const steps::ReadHead>(store);
+}
+
+/// The largest parts of a region, in a line of their own: "   Precentral_L 4.1, Postcentral_L 2.0".
+QString labelWords(const steps::FieldRegion& region) {
+  constexpr std::size_t kMost = 3;
+  constexpr double kLeast_ml = 0.05;  // shown as 0.1
+  std::vector<std::pair<std::string, double>> labels(region.by_label.begin(), region.by_label.end());
+  std::sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  QStringList words;
+  for (std::size_t i = 0; i < std::min(kMost, labels.size()); ++i)
+    if (labels[i].second >= kLeast_ml)
+      words << QString("%1 %2").arg(QString::fromStdString(labels[i].first)).arg(labels[i].second, 0, 'f', 1);
+  return words.isEmpty() ? QString() : "\n   " + words.join(", ");
 }
 
 }  // namespace
@@ -45,6 +62,14 @@ double mostRate(steps::CurrentRate::Unit unit) {
 
 QString strengthFigure(double strength) {
   return QString::number(strength, 'f', strength >= 10 ? 0 : strength >= 1 ? 1 : 2);
+}
+
+QString differenceWords(const steps::PoseComparison& compared) {
+  const long change_pct = std::lround(100 * compared.change());
+  return FieldPresenter::tr("%1 % at the target, maximum %2 mm away, correlation %3")
+      .arg((change_pct < 0 ? QString() : QString("+")) + QString::number(change_pct))
+      .arg(std::lround(compared.peak_shift_mm))
+      .arg(compared.correlation, 0, 'f', 2);
 }
 
 FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* parent)
@@ -58,11 +83,7 @@ FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* p
   for (auto signal : {&CaseModel::opened, &CaseModel::brainChanged})
     connect(&model_, signal, this, &FieldPresenter::forgetCase);
   connect(&plan_, &PlanPresenter::changed, this, &FieldPresenter::follow);
-  connect(&runner_, &TaskRunner::failed, this, [this](const QString& words) {
-    if (computed_wish_ != wish_) return;
-    failure_ = words;
-    emit changed();
-  });
+  connect(&runner_, &TaskRunner::failed, this, &FieldPresenter::fail);
   for (auto signal : {&TaskRunner::succeeded, &TaskRunner::cancelled})
     connect(&runner_, signal, this, &FieldPresenter::compute);
   connect(&runner_, &TaskRunner::failed, this, &FieldPresenter::compute);
@@ -87,6 +108,34 @@ void FieldPresenter::setRate(const steps::CurrentRate& rate) {
   followChoice();
 }
 
+void FieldPresenter::setAgainst(const QString& target) {
+  against_ = target;
+  follow();
+}
+
+void FieldPresenter::buildBy(PrepareQueue& queue) {
+  queue_ = &queue;
+  connect(&queue, &PrepareQueue::fieldEnded, this, &FieldPresenter::takeModel);
+}
+
+/// Computes again after the model of the open case was built.
+void FieldPresenter::takeModel(const QString& folder, const QString& failure) {
+  if (!model_.isOpen() || folder.toStdString() != model_.current().store.folder().string()) return;
+  build_failure_ = failure;
+  restart();
+}
+
+void FieldPresenter::fail(const QString& words) {
+  if (computed_wish_ != wish_) return;
+  if (is_reaching_) {
+    reach_ = steps::PlannedReach();  // the field itself is shown
+    emit reachChanged();
+    return;
+  }
+  failure_ = words;
+  emit changed();
+}
+
 void FieldPresenter::followChoice() {
   const int before = wish_;
   follow();
@@ -106,33 +155,49 @@ void FieldPresenter::setDrawn(std::shared_ptr<const surface::TriangleMesh> drawn
 void FieldPresenter::forgetCase() {
   ++subject_;
   head_.reset();
+  labels_.reset();
   drawn_.reset();
   wanted_.reset();
-  shown_.reset();
-  failure_.clear();
-  ++wish_;
-  emit changed();
+  has_asked_ = false;
+  build_failure_.clear();
+  restart();
   follow();
 }
 
 /// Drops the field if it is no longer that of the plan, and computes the new one.
 void FieldPresenter::follow() {
   std::optional<steps::WantedField> next;
-  if (is_on_ && is_in_sight_ && model_.isOpen() && plan_.active())
+  if (is_on_ && is_in_sight_ && model_.isOpen() && plan_.active()) {
     next = steps::WantedField{*plan_.active(), coil_.toStdString(), rate_, drawn_};
+    const auto* other = steps::find(plan_.plan(), against_.toStdString());
+    if (other && other->name != next->target.name) next->against = *other;
+  }
   if (isSameWish(next, wanted_)) return;
   wanted_ = std::move(next);
+  restart();
+}
+
+/// Takes away what is shown and begins the present wish.
+void FieldPresenter::restart() {
   ++wish_;
   shown_.reset();
+  reach_.reset();
   failure_.clear();
   runner_.cancel();
   emit changed();
+  emit reachChanged();
   compute();
 }
 
 void FieldPresenter::compute() {
-  if (!wanted_ || shown_ || !failure_.isEmpty() || runner_.isRunning()) return;
+  if (!wanted_ || !failure_.isEmpty() || runner_.isRunning()) return;
   computed_wish_ = wish_;
+  is_reaching_ = shown_.has_value();
+  if (!shown_) computeField();
+  if (shown_ && !reach_ && head_) computeReach();
+}
+
+void FieldPresenter::computeField() {
   runner_.start(tr("Electric field"),
                 [this, wish = wish_, subject = subject_, wanted = *wanted_, known = head_,
                  store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
@@ -148,12 +213,31 @@ void FieldPresenter::compute() {
                 });
 }
 
+void FieldPresenter::computeReach() {
+  runner_.start(tr("Electric field"),
+                [this, wish = wish_, subject = subject_, wanted = *wanted_, head = head_, known = labels_,
+                 store = model_.current().store](TaskMonitor& monitor) -> TaskRunner::Delivery {
+                  const auto labels =
+                      known ? known : std::make_shared<const steps::LabelOf>(steps::aalLabels(store));
+                  const auto reach = steps::plannedReach(*head, wanted, *labels, monitor);
+                  return [this, wish, subject, reach, labels] {
+                    if (subject == subject_) labels_ = labels;
+                    if (wish != wish_) return;
+                    reach_ = reach;
+                    emit reachChanged();
+                  };
+                });
+}
+
 /// Keeps what was read of the case, also if the field itself is cancelled. Called on the worker thread.
 void FieldPresenter::keep(std::shared_ptr<const steps::ReadHead> head, int subject) {
   QMetaObject::invokeMethod(
       this,
       [this, head = std::move(head), subject] {
-        if (subject == subject_) head_ = head;  // otherwise it is another case's
+        if (subject != subject_) return;  // it is another case's
+        head_ = head;
+        if (!queue_ || !head_->isOutdated() || std::exchange(has_asked_, true)) return;
+        queue_->buildField(QString::fromStdString(model_.current().store.folder().string()));
       },
       Qt::QueuedConnection);
 }
@@ -163,6 +247,42 @@ std::optional<scene::FieldPicture> FieldPresenter::picture() const {
   const QString peak = tr("maximum %1 V/m").arg(strengthFigure(shown_->peak));
   return scene::FieldPicture{wanted_->drawn, shown_->strength, shown_->peak, shown_->peak_place,
                              peak.toStdString()};
+}
+
+std::optional<scene::Overlay> FieldPresenter::sliceOverlay() const {
+  if (!shown_ || !reach_ || !reach_->in_brain || !model_.isOpen() || !model_.current().brain_mask)
+    return std::nullopt;
+  return scene::fieldOverlay(reach_->in_brain, model_.current().brain_mask, shown_->peak);
+}
+
+QString FieldPresenter::reachWords() const {
+  if (!shown_ || !reach_ || !reach_->regions || !head_) return {};
+  const QString surface = head_->surfaces().has_sulci ? tr("cortex") : tr("the brain's hull");
+  QStringList lines;
+  for (const auto& region : *reach_->regions)
+    lines << tr("above %1 %: %2 mm\u00b2 of %3, %4 ml of the brain")
+                     .arg(std::lround(100 * region.share))
+                     .arg(std::lround(region.area_mm2))
+                     .arg(surface)
+                     .arg(region.volume_ml, 0, 'f', 1) +
+                 labelWords(region);
+  return lines.join('\n');
+}
+
+QString FieldPresenter::againstWords() const {
+  if (!shown_ || !reach_ || !reach_->against || !wanted_ || !wanted_->against) return {};
+  return tr("against '%1': %2")
+      .arg(QString::fromStdString(wanted_->against->name), differenceWords(*reach_->against));
+}
+
+/// Says that the case's shells are older than its masks, and what is done about it.
+QString FieldPresenter::modelWords() const {
+  if (!head_ || !head_->isOutdated()) return {};
+  if (!build_failure_.isEmpty())
+    return tr("; the three shells are older than the masks and could not be built again: %1")
+        .arg(build_failure_);
+  return queue_ ? tr("; the three shells are older than the masks and are being built again")
+                : tr("; the three shells are older than the masks");
 }
 
 QString FieldPresenter::words() const {
@@ -177,11 +297,13 @@ QString FieldPresenter::words() const {
           .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
                strengthFigure(shown_->peak))
           .arg(std::lround(shown_->peak_distance_mm));
-  return strengths + tr("; at %1 A/us; tier %2: %3, usual error %4 %")
-                         .arg(shown_->rate_A_per_us, 0, 'g', 4)
-                         .arg(int(shown_->tier))
-                         .arg(model)
-                         .arg(std::lround(100 * shown_->usual_error));
+  return strengths +
+         tr("; at %1 A/us; tier %2: %3, usual error %4 %")
+             .arg(shown_->rate_A_per_us, 0, 'g', 4)
+             .arg(int(shown_->tier))
+             .arg(model)
+             .arg(std::lround(100 * shown_->usual_error)) +
+         modelWords();
 }
 
 QString FieldPresenter::barWords() const {

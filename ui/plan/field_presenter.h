@@ -1,9 +1,10 @@
 #pragma once
 // FieldPresenter: the electric field of the active target's planned pose (plan/planned_field.h), computed in
-// the background while the page is in sight. The newest wish wins; whatever changes takes the old field away
-// at once.
+// the background while the page is in sight: the field on the cortex first, then the region that it reaches.
+// The newest wish wins; whatever changes takes the old field away at once.
 
 #include <QObject>
+#include <QPointer>
 #include <QSettings>
 
 #include "facenav/plan/planned_field.h"
@@ -12,6 +13,8 @@
 #include "shell/task_runner.h"
 
 namespace facenav::ui {
+
+class PrepareQueue;
 
 class FieldPresenter : public QObject {
   Q_OBJECT
@@ -28,6 +31,11 @@ class FieldPresenter : public QObject {
   steps::CurrentRate rate() const { return rate_; }
   void setRate(const steps::CurrentRate& rate);
 
+  /// Sets the target whose pose is compared with the active one's; empty: none.
+  void setAgainst(const QString& target);
+  /// Has models of the head that are older than their masks built again by this queue.
+  void buildBy(PrepareQueue& queue);
+
   /// Sets whether the page is in sight; nothing is computed while it is not.
   void setInSight(bool is_in_sight);
   /// Sets the surface that the 3-D view draws; null: none.
@@ -38,6 +46,15 @@ class FieldPresenter : public QObject {
   /// The field of wanted(); null until it is computed.
   const steps::PlannedField* shown() const { return shown_ ? &*shown_ : nullptr; }
   std::optional<scene::FieldPicture> picture() const;
+  /// What the field reaches; null until it is computed, some time after shown().
+  const steps::PlannedReach* reach() const { return reach_ ? &*reach_ : nullptr; }
+  /// The field for the slices, in the brain alone.
+  std::optional<scene::Overlay> sliceOverlay() const;
+  /// "above 50 %: 2140 mm2 of cortex, 12.1 ml of the brain", below it "Precentral_L 4.1, ..", the same for 75
+  /// and 90 %; or empty.
+  QString reachWords() const;
+  /// "against 'DLPFC': -12 % at the target, maximum 9 mm away, correlation 0.87"; or empty.
+  QString againstWords() const;
   /// Surfaces and model of the case for another task; null until they are read.
   std::shared_ptr<const steps::ReadHead> head() const { return head_; }
   /// "E at target 45 V/m, along the normal 18; maximum 80 V/m, 12 mm from the target; .."; what is missing;
@@ -48,12 +65,20 @@ class FieldPresenter : public QObject {
 
  signals:
   void changed();
+  /// reach() is there, or taken away.
+  void reachChanged();
 
  private:
   void forgetCase();
   void follow();
   void followChoice();
+  void restart();
   void compute();
+  void computeField();
+  void computeReach();
+  void fail(const QString& words);
+  void takeModel(const QString& folder, const QString& failure);
+  QString modelWords() const;
   void keep(std::shared_ptr<const steps::ReadHead> head, int subject);
 
   PlanPresenter& plan_;
@@ -61,14 +86,21 @@ class FieldPresenter : public QObject {
   QSettings settings_;
   TaskRunner runner_;
   bool is_on_ = false, is_in_sight_ = false;
-  QString coil_, failure_;
+  QString coil_, failure_, against_, build_failure_;
   steps::CurrentRate rate_;
   std::shared_ptr<const surface::TriangleMesh> drawn_;
   std::shared_ptr<const steps::ReadHead> head_;
   std::optional<steps::WantedField> wanted_;
   std::optional<steps::PlannedField> shown_;
+  std::optional<steps::PlannedReach> reach_;
+  std::shared_ptr<const steps::LabelOf> labels_;  // of the case; null until they are read
+  QPointer<PrepareQueue> queue_;
+  bool is_reaching_ = false, has_asked_ = false;  // which of both is computed; the queue was asked
   int wish_ = 0, computed_wish_ = 0, subject_ = 0;
 };
+
+/// "-12 % at the target, maximum 9 mm away, correlation 0.87".
+QString differenceWords(const steps::PoseComparison& compared);
 
 /// Range of a rate, of its unit.
 constexpr double kLeastRate = 0.1;

@@ -33,11 +33,16 @@ FieldView::FieldView(FieldPresenter& field, BestPosePresenter& best, QWidget* pa
   bar_ = new ColourLegend(this);
   bar_->setToolTip(
       tr("strength of the electric field on the brain; below a fifth of the maximum it is not coloured; the "
-         "white line is half of it"));
+         "white lines are 50, 75 and 90 % of it; the slices show the same colours"));
   words_ = new QLabel(this);
   words_->setObjectName("figures_text");
   words_->setToolTip(tr("of the planned pose; what the numbers mean: the manual's page 'Field'"));
   makeNarrow(*words_);
+  against_ = new QLabel(this);
+  against_->setToolTip(tr(
+      "what the pose of the target that you compare with would give: strength at the active target, place of "
+      "the maximum, and the correlation of both fields on the cortex"));
+  makeNarrow(*against_);
   aim_ = new QComboBox(this);
   aim_->addItems({tr("strongest"), tr("along normal")});
   aim_->setAccessibleName(tr("aim of the best pose"));
@@ -57,6 +62,7 @@ FieldView::FieldView(FieldPresenter& field, BestPosePresenter& best, QWidget* pa
   choice->addWidget(take_);
   column->addWidget(bar_);
   column->addWidget(words_);
+  column->addWidget(against_);
   column->addWidget(search_);
   column->addLayout(choice);
   column->addWidget(proposal_);
@@ -65,14 +71,17 @@ FieldView::FieldView(FieldPresenter& field, BestPosePresenter& best, QWidget* pa
   connect(search_, &QPushButton::clicked, &best_, &BestPosePresenter::search);
   connect(take_, &QPushButton::clicked, &best_, &BestPosePresenter::take);
   connect(&field_, &FieldPresenter::changed, this, &FieldView::showField);
+  connect(&field_, &FieldPresenter::reachChanged, this, &FieldView::showAgainst);
   connect(&best_, &BestPosePresenter::changed, this, &FieldView::showBest);
   showField();
+  showAgainst();
   showBest();
   whenTextScales(this, [this] { fitLabels(); });
 }
 
 void FieldView::fitLabels() {
   fitHeight(*words_, kWordsLines);
+  fitHeight(*against_, 0);
   fitHeight(*proposal_, kProposalLines);
 }
 
@@ -89,6 +98,12 @@ void FieldView::showField() {
   if (!shown) return bar_->set(tr("no field"), tr("V/m"), 0, std::nullopt);
   const int decimals = shown->peak >= 10 ? 0 : shown->peak >= 1 ? 1 : 2;
   bar_->set(field_.barWords(), tr("V/m"), decimals, scene::fieldColours(shown->peak));
+}
+
+void FieldView::showAgainst() {
+  against_->setText(field_.againstWords());
+  against_->setVisible(!against_->text().isEmpty());
+  fitLabels();
 }
 
 void FieldView::showBest() {

@@ -26,12 +26,13 @@ class FieldView : public QFrame {
  private:
   void fitLabels();
   void showField();
+  void showAgainst();
   void showBest();
 
   FieldPresenter& field_;
   BestPosePresenter& best_;
   ColourLegend* bar_;
-  QLabel *words_, *proposal_;
+  QLabel *words_, *against_, *proposal_;
   QComboBox* aim_;
   QPushButton *search_, *take_;
 };

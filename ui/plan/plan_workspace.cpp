@@ -114,6 +114,7 @@ TargetTools* PlanWorkspace::makeTools(QWidget* parent) {
   });
   connect(tools, &TargetTools::compareWith, this, [this](const QString& target) {
     compared_with_ = target;
+    field_->setAgainst(target);
     showPlan();
   });
   return tools;
@@ -225,6 +226,7 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
 
 QWidget* PlanWorkspace::makeFieldView(QWidget* parent) {
   connect(field_, &FieldPresenter::changed, this, &PlanWorkspace::showField);
+  connect(field_, &FieldPresenter::reachChanged, this, &PlanWorkspace::showSlices);
   connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, &PlanWorkspace::showField);
   return new FieldView(*field_, *best_pose_, parent);
 }
@@ -232,7 +234,7 @@ QWidget* PlanWorkspace::makeFieldView(QWidget* parent) {
 void PlanWorkspace::showOverlays() {
   if (is_outdated_ || !model_.isOpen()) return;
   const auto shown = overlays_->shown();
-  views_->setOverlays(shown);
+  showSlices();
   const bool is_cortex = cortex_.look() != scene::BrainLook::model && cortex_.cortex();
   const auto& brain = model_.current().brain;
   std::shared_ptr<const surface::TriangleMesh> drawn;
@@ -243,6 +245,14 @@ void PlanWorkspace::showOverlays() {
   overlay_layer_->set(shown, drawn.get());
   field_->setDrawn(drawn);
   views_->sceneView().refresh();
+}
+
+/// Shows the overlays and the field on the slices.
+void PlanWorkspace::showSlices() {
+  if (is_outdated_ || !model_.isOpen()) return;
+  auto shown = overlays_->shown();
+  if (auto field = field_->sliceOverlay()) shown.push_back(std::move(*field));
+  views_->setOverlays(shown);
 }
 
 void PlanWorkspace::showField() {

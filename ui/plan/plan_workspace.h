@@ -33,6 +33,9 @@ class PlanWorkspace : public QWidget {
   PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex, CaseModel& model,
                 QWidget* parent = nullptr);
 
+  /// Has models of the head's field that are older than its masks built again by this queue.
+  void buildFieldsBy(PrepareQueue& queue) { field_->buildBy(queue); }
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -46,6 +49,7 @@ class PlanWorkspace : public QWidget {
   void showOverlays();
   void showSites();
   void showField();
+  void showSlices();
   QWidget* makeFields(QWidget* parent);
   void showFields();
   void addKeys();

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "facenav/core/log.h"
 
 namespace facenav::ui {
@@ -16,7 +18,7 @@ FieldQueue::FieldQueue(const Services& services, QObject* parent) : QObject(pare
   connect(&tasks_, &TaskRunner::failed, this, [this](const QString& words) {
     // The planning page then names the local sphere as its model.
     logWarning("electric field of " + folders_.front().filename().string() + ": " + words.toStdString());
-    end(true);
+    end(true, words);
   });
 }
 
@@ -24,7 +26,8 @@ FieldQueue::~FieldQueue() { disconnect(&tasks_, nullptr, this, nullptr); }
 
 void FieldQueue::add(const QString& case_folder) {
   if (!services_.buildField) return;
-  folders_.emplace_back(case_folder.toStdString());
+  const std::filesystem::path folder(case_folder.toStdString());
+  if (std::find(folders_.begin(), folders_.end(), folder) == folders_.end()) folders_.push_back(folder);
   begin();
 }
 
@@ -43,8 +46,12 @@ void FieldQueue::begin() {
   });
 }
 
-void FieldQueue::end(bool is_done) {
-  if (is_done) folders_.pop_front();
+void FieldQueue::end(bool is_done, const QString& failure) {
+  if (is_done) {
+    const QString folder = QString::fromStdString(folders_.front().string());
+    folders_.pop_front();
+    emit ended(folder, failure);
+  }
   QMetaObject::invokeMethod(this, &FieldQueue::begin, Qt::QueuedConnection);
 }
 

@@ -19,14 +19,19 @@ class FieldQueue : public QObject {
   explicit FieldQueue(const Services& services, QObject* parent = nullptr);
   ~FieldQueue() override;
 
+  /// Queues a case; one that waits or is under way is not queued twice.
   void add(const QString& case_folder);
   /// While held nothing is built; a model under way is begun again later.
   void setHeld(bool is_held);
   bool isIdle() const { return folders_.empty() && !tasks_.isRunning(); }
 
+ signals:
+  /// A case's model was built, or could not be: `failure` says why, and is empty otherwise.
+  void ended(const QString& case_folder, const QString& failure);
+
  private:
   void begin();
-  void end(bool is_done);
+  void end(bool is_done, const QString& failure = {});
 
   const Services& services_;
   TaskRunner tasks_;

@@ -80,6 +80,7 @@ const dicom::SeriesInfo* recommendedOf(const std::vector<dicom::SeriesInfo>& ser
 
 PrepareQueue::PrepareQueue(const Services& services, QObject* parent)
     : QObject(parent), services_(services), fields_(services) {
+  connect(&fields_, &FieldQueue::ended, this, &PrepareQueue::fieldEnded);
   connect(&tasks_, &TaskRunner::progressed, this, [this](const QString& step, double fraction) {
     if (auto* running = find(running_)) {
       running->step = step;

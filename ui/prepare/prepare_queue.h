@@ -53,6 +53,8 @@ class PrepareQueue : public QObject {
   void setLabelsByPatient(bool is_labelled);
   /// Holds the queue during a treatment: no job starts; a running job continues.
   void setHeld(bool is_held);
+  /// Builds the electric field's model of a case again in the background (FieldQueue).
+  void buildField(const QString& case_folder) { fields_.add(case_folder); }
   /// Queues the jobs that were unfinished when the program ended, and removes fetched files of jobs that no
   /// longer exist. Does nothing while another window of this user is open, since they may be that window's
   /// jobs.
@@ -75,6 +77,8 @@ class PrepareQueue : public QObject {
   /// Step, fraction or time of the running job changed.
   void progressed();
   void prepared(const QString& case_folder, const QString& case_id);
+  /// As FieldQueue::ended.
+  void fieldEnded(const QString& case_folder, const QString& failure);
   /// The user must choose: no series of this input is recommended, or it has several patients or readings.
   void choiceNeeded(int id);
 

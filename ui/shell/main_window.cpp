@@ -60,7 +60,9 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       new PrepareWorkspace(prepare_, worklist_, queue_, archive_, sign_off_, edit_, model_, stack_);
   auto* treat_workspace = new TreatWorkspace(treat_, model_, stack_);
   stack_->addWidget(prepare_workspace_);
-  stack_->addWidget(new PlanWorkspace(plan_, place_, cortex_, model_, stack_));
+  auto* plan_workspace = new PlanWorkspace(plan_, place_, cortex_, model_, stack_);
+  plan_workspace->buildFieldsBy(queue_);
+  stack_->addWidget(plan_workspace);
   stack_->addWidget(treat_workspace);
   review_workspace_ = new ReviewWorkspace(review_, replay_, model_, stack_);
   stack_->addWidget(review_workspace_);

@@ -21,14 +21,16 @@
 namespace facenav::scene {
 namespace {
 
-constexpr double kLeastShare = 0.2, kLineShare = 0.5;
+constexpr double kLeastShare = 0.2;
+constexpr double kLineShares[] = {0.5, 0.75, 0.9};
 constexpr double kLineAbove_mm = 0.7;  // above the colours, which lie 0.4 mm above the brain
 constexpr double kDot_mm = 1.8, kWordsAbove_mm = 9.0;
 constexpr int kWords_pt = 12;
+constexpr double kBehindWords = 0.7;
 constexpr palette::Rgb kWhite{1, 1, 1};
 
-/// Line on the surface where the strength is half of the maximum.
-vtkSmartPointer<vtkActor> lineActor(const FieldPicture& picture) {
+/// Lines on the surface where the strength is 50, 75 and 90 % of the maximum.
+vtkSmartPointer<vtkActor> linesActor(const FieldPicture& picture) {
   surface::TriangleMesh raised = *picture.surface;
   vtkNew<vtkFloatArray> strength;
   strength->SetNumberOfValues(vtkIdType(picture.strength.size()));
@@ -40,7 +42,7 @@ vtkSmartPointer<vtkActor> lineActor(const FieldPicture& picture) {
   poly->GetPointData()->SetScalars(strength);
   vtkNew<vtkContourFilter> contour;
   contour->SetInputData(poly);
-  contour->SetValue(0, kLineShare * picture.peak);
+  for (int i = 0; i < 3; ++i) contour->SetValue(i, kLineShares[i] * picture.peak);
   contour->ComputeScalarsOff();
   contour->Update();
   auto actor = makeActor(contour->GetOutput(), kWhite);
@@ -61,6 +63,20 @@ std::size_t nearestVertex(const surface::TriangleMesh& mesh, const Point<Mri>& p
 }  // namespace
 
 ColourRange fieldColours(double peak) { return {kLeastShare * peak, peak}; }
+
+Overlay fieldOverlay(std::shared_ptr<const volume::Volume> strength,
+                     std::shared_ptr<const volume::Mask> brain, double peak) {
+  constexpr double kOpacity = 0.6;  // the sulci stay visible
+  Overlay overlay;
+  overlay.name = "|E|";
+  overlay.opacity = kOpacity;
+  overlay.map = std::move(strength);
+  overlay.threshold = fieldColours(peak).low;
+  overlay.full = fieldColours(peak).high;
+  overlay.is_strength = true;
+  overlay.within = std::move(brain);
+  return overlay;
+}
 
 struct FieldLayer::Implementation {
   explicit Implementation(NavigationScene& scene) : renderer(scene.renderer()), colours(scene) {}
@@ -92,6 +108,9 @@ struct FieldLayer::Implementation {
     words->SetPosition(above_mm.x(), above_mm.y(), above_mm.z());
     words->GetTextProperty()->SetFontSize(int(std::lround(kWords_pt * text_scale)));
     words->GetTextProperty()->SetColor(kWhite[0], kWhite[1], kWhite[2]);
+    words->GetTextProperty()->SetBackgroundColor(0, 0, 0);  // the coil is nearly always above them
+    words->GetTextProperty()->SetBackgroundOpacity(kBehindWords);
+    words->GetTextProperty()->BoldOn();
     words->GetTextProperty()->SetJustificationToCentered();
     add(words);
   }
@@ -109,7 +128,7 @@ void FieldLayer::set(const FieldPicture* picture, double text_scale) {
   for (float& strength : coloured)
     if (strength < kLeastShare * picture->peak) strength = std::numeric_limits<float>::quiet_NaN();
   layer.colours.setHeat(*picture->surface, coloured, fieldColours(picture->peak));
-  layer.add(lineActor(*picture));
+  layer.add(linesActor(*picture));
   layer.addPeak(*picture, text_scale);
 }
 

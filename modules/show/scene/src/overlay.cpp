@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/scene/colour_scale.h"
 #include "paint.h"
 
 namespace facenav::scene {
@@ -21,11 +22,17 @@ palette::Rgb mix(const palette::Rgb& a, const palette::Rgb& b, double share) {
 
 void paintMap(RgbImage& image, const Overlay& overlay, const volume::SlicePlane& plane) {
   const auto values = volume::sampleSlice(*overlay.map, plane);
+  const auto within =
+      overlay.within ? volume::sampleSlice(*overlay.within, plane) : std::vector<std::uint8_t>();
   for (int v = 0; v < plane.height; ++v)
     for (int u = 0; u < plane.width; ++u) {
-      const double value = values[std::size_t(v) * plane.width + u];
-      if (std::abs(value) < overlay.threshold || value == 0) continue;
-      blend(image, u, v, mapColour(value, overlay.threshold, overlay.full), overlay.opacity);
+      const std::size_t pixel = std::size_t(v) * plane.width + u;
+      const double value = values[pixel];
+      if (std::abs(value) < overlay.threshold || value == 0 || (overlay.within && !within[pixel])) continue;
+      const auto colour = overlay.is_strength
+                              ? sequentialColour(ColourRange{overlay.threshold, overlay.full}.shareOf(value))
+                              : mapColour(value, overlay.threshold, overlay.full);
+      blend(image, u, v, colour, overlay.opacity);
     }
 }
 

@@ -69,7 +69,7 @@ BestPose bestPose(const HeadField& head, const FieldSurfaces& surfaces, const Pl
     found[i].x_mm = steps[i].x();
     found[i].y_mm = steps[i].y();
   });
-  BestPose best;
+  BestPose best;  // x_mm and y_mm are those of the grid until its pose is known
   for (const auto& one : found) {
     if (one.best <= 0) continue;
     best.poses += kAngles;
@@ -92,6 +92,11 @@ BestPose bestPose(const HeadField& head, const FieldSurfaces& surfaces, const Pl
     best.best = planned_value;
     best.poses = poses;
   }
+  const auto& from = target.mri_T_target;
+  const Eigen::Vector3d moved_mm =
+      from.rotation().transpose() * (best.target.mri_T_target.translation_mm() - from.translation_mm());
+  best.x_mm = moved_mm.x();
+  best.y_mm = moved_mm.y();
   best.planned = planned_value;
   return best;
 }

@@ -9,8 +9,6 @@ namespace facenav::steps {
 namespace {
 
 constexpr double kPatch_mm = 3;
-constexpr double kRegionReach_mm = 80, kRegionStep_mm = 2;
-constexpr std::array<double, 3> kShares{0.5, 0.75, 0.9};
 
 const volume::Mask& maskOf(const FieldSurfaces& surfaces) {
   if (surfaces.brain_mask) return *surfaces.brain_mask;
@@ -57,38 +55,6 @@ FieldOnCortex fieldOnCortex(const HeadField& head, const FieldSurfaces& surfaces
   result.peak_place = Point<Mri>(surfaces.cortex.vertices_mm[std::size_t(strongest)]);
   result.peak_distance_mm = (result.peak_place.mm - target.cortex_point.mm).norm();
   return result;
-}
-
-std::array<FieldRegion, 3> fieldRegions(const HeadField& head, const FieldSurfaces& surfaces,
-                                        const efield::CoilDipoles& coil, const guidance::Target& target,
-                                        double peak, const LabelOf& label) {
-  const auto& mask = maskOf(surfaces);
-  const CoilPose pose = coilPoseOf(target);
-  Eigen::Vector3i step;
-  for (int c = 0; c < 3; ++c)
-    step[c] = std::max(1, int(std::lround(kRegionStep_mm / mask.grid.spacing_mm()[c])));
-  const double each_ml = mask.grid.voxelVolume_mm3() * step.prod() / 1000;
-  std::vector<Eigen::Vector3d> places;
-  for (int k = 0; k < mask.grid.size[2]; k += step[2])
-    for (int j = 0; j < mask.grid.size[1]; j += step[1])
-      for (int i = 0; i < mask.grid.size[0]; i += step[0]) {
-        if (!mask.at(i, j, k)) continue;
-        const Eigen::Vector3d p = mask.grid.toMri({double(i), double(j), double(k)}).mm;
-        if ((p - pose.translation_mm()).norm() <= kRegionReach_mm) places.push_back(p);
-      }
-  const Eigen::VectorXd strength = head.at(coil, pose, asMatrix(places)).colwise().norm().transpose();
-  std::array<FieldRegion, 3> regions;
-  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].share = kShares[r];
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (strength[Eigen::Index(i)] < kShares[0] * peak) continue;
-    const std::string name = label ? label(Point<Mri>(places[i])) : "";
-    for (auto& region : regions) {
-      if (strength[Eigen::Index(i)] < region.share * peak) continue;
-      region.volume_ml += each_ml;
-      if (!name.empty()) region.by_label[name] += each_ml;
-    }
-  }
-  return regions;
 }
 
 volume::Volume fieldVolume(const HeadField& head, const FieldSurfaces& surfaces,

@@ -164,7 +164,21 @@ std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const Fie
 }
 
 ReadHead::ReadHead(const casefile::CaseStore& store)
-    : surfaces_(fieldSurfaces(store)), shells_(keptShells(store)) {}
+    : surfaces_(fieldSurfaces(store)),
+      stamp_(stampOf(store)),
+      can_have_shells_(canHaveField(store)),
+      shells_(keptShells(store)) {}
+
+ReadHead::Stamp ReadHead::stampOf(const casefile::CaseStore& store) {
+  std::error_code missing;
+  const auto file = fieldFile(store);
+  const auto size = std::filesystem::file_size(file, missing);
+  if (missing) return std::nullopt;
+  const auto written = std::filesystem::last_write_time(file, missing);
+  return missing ? Stamp() : Stamp({written, size});
+}
+
+bool ReadHead::isCurrent(const casefile::CaseStore& store) const { return stampOf(store) == stamp_; }
 
 FieldTier ReadHead::tier() const { return shells_ ? FieldTier::three_shells : FieldTier::local_sphere; }
 

@@ -50,6 +50,37 @@ PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskM
   return result;
 }
 
+PlannedReach plannedReach(const ReadHead& head, const WantedField& wanted, const LabelOf& label,
+                          TaskMonitor& monitor) {
+  const auto coil = efield::fieldCoil(wanted.coil).dipoles;
+  const double rate = inA_per_us(wanted.rate, coil);
+  PlannedReach result;
+  if (head.surfaces().brain_mask) {
+    const auto field = head.near(coilPoseOf(wanted.target));
+    const auto on_cortex = fieldOnCortex(*field, head.surfaces(), coil, wanted.target);
+    auto in_brain = fieldInBrain(*field, head.surfaces(), coil, wanted.target, on_cortex, monitor, label);
+    result.regions = std::move(in_brain.regions);
+    auto strength = std::make_shared<volume::Volume>(*in_brain.strength);
+    for (float& value : strength->voxels) value *= float(rate);
+    result.in_brain = std::move(strength);
+  }
+  monitor.report("comparison of poses", 0.8);
+  if (wanted.against) result.against = comparePlanned(head, wanted, *wanted.against);
+  return result;
+}
+
+PoseComparison comparePlanned(const ReadHead& head, const WantedField& wanted,
+                              const guidance::Target& other) {
+  const auto coil = efield::fieldCoil(wanted.coil).dipoles;
+  const double rate = inA_per_us(wanted.rate, coil);
+  auto compared = comparePoses(*head.near(coilPoseOf(wanted.target)), *head.near(coilPoseOf(other)),
+                               head.surfaces(), coil, wanted.target, other);
+  compared.at_target *= rate;
+  compared.other_at_target *= rate;
+  compared.other_at_its_own *= rate;
+  return compared;
+}
+
 BestPose bestPlannedPose(const ReadHead& head, const PlannedHead& planned, const WantedField& wanted,
                          FieldAim aim, TaskMonitor& monitor) {
   const auto coil = efield::fieldCoil(wanted.coil).dipoles;

@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/geometry/normal_equations.h"
 #include "facenav/guidance/handle.h"
 
 namespace facenav::steps {
@@ -37,6 +38,24 @@ std::vector<Answered> answeredWithTwitch(const casefile::SessionPulses& session,
   return answered;
 }
 
+/// The coil over the cortex point that lies beside the seed's in the coil's plane. The handle keeps its
+/// direction. Throws like guidance::planTarget.
+guidance::Target besideOnCortex(const guidance::Target& seed, const surface::ScalpSurface& scalp, double x_mm,
+                                double y_mm) {
+  const Eigen::Matrix3d axes = seed.mri_T_target.rotation();
+  const Eigen::Vector3d step = axes * Eigen::Vector3d(x_mm, y_mm, 0.0);
+  const auto there = guidance::planTarget(seed.name, scalp, Point<Mri>(seed.cortex_point.mm + step), 0.0,
+                                          guidance::hairGap_mm(seed));
+  const Eigen::Quaterniond transport = rotationBetween(axes.col(2), there.mri_T_target.rotation().col(2));
+  guidance::Target beside = seed;
+  beside.cortex_point = there.cortex_point;
+  beside.scalp_point = there.scalp_point;
+  beside.lift_mm = 0;
+  beside.mri_T_target = RigidTransform<Mri, frames::Target>(transport * Eigen::Quaterniond(axes),
+                                                            there.mri_T_target.translation_mm());
+  return beside;
+}
+
 }  // namespace
 
 std::vector<guidance::Target> huntingSites(const guidance::Target& seed, const surface::ScalpSurface& scalp,
@@ -54,7 +73,7 @@ std::vector<guidance::Target> huntingSites(const guidance::Target& seed, const s
       const double y_mm = grid.spacing_mm * (0.5 * (grid.rows - 1) - row);
       const double x_mm = grid.spacing_mm * (column - 0.5 * (grid.columns - 1));
       try {
-        auto target = x_mm == 0 && y_mm == 0 ? seed : guidance::movedAlongScalp(seed, scalp, x_mm, y_mm);
+        auto target = x_mm == 0 && y_mm == 0 ? seed : besideOnCortex(seed, scalp, x_mm, y_mm);
         target.name = seed.name + " " + std::to_string(row + 1) + "/" + std::to_string(column + 1);
         sites.push_back({std::hypot(x_mm, y_mm), std::move(target)});
       } catch (const Error&) {  // no scalp there: outside the scan, or over the ear

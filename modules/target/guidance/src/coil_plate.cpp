@@ -215,14 +215,17 @@ Target settleOnHead(const Target& target, const surface::ScalpSurface& scalp, co
 Target movedOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate,
                    double x_mm, double y_mm) {
   const Matrix3d old_axes = target.mri_T_target.rotation();
+  const Vector3d below_mm = target.cortex_point.mm - target.mri_T_target.translation_mm() -
+                            centreGap_mm(target) * old_axes.col(2);  // cortex from the skin on the axis
   Target moved = movedAlongScalp(target, scalp, x_mm, y_mm);
-  // The present axis is the start, not the one through the nearest point of the scalp, which jumps on rough
-  // skin.
+  // The present axis is the start, not the normal there, which is another one on rough skin.
   const Vector3d place_mm = moved.scalp_point.mm - hairGap_mm(target) * old_axes.col(2);
   moved.mri_T_target = RigidTransform<Mri, frames::Target>(Eigen::Quaterniond(old_axes), place_mm);
-  const Target rested = restOnHead(moved, scalp, plate);
+  Target rested = restOnHead(moved, scalp, plate, Aim::scalp_point);
   const Matrix3d axes = carried(old_axes, rested.mri_T_target.rotation().col(2));
-  return lowered(rested, axes, rested.mri_T_target.translation_mm(), hairGap_mm(rested), scalp.mesh, plate);
+  rested = lowered(rested, axes, rested.mri_T_target.translation_mm(), hairGap_mm(rested), scalp.mesh, plate);
+  rested.cortex_point = Point<Mri>(rested.scalp_point.mm + axes * old_axes.transpose() * below_mm);
+  return rested;
 }
 
 }  // namespace facenav::guidance

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/guidance/coil_plate.h"
+#include "plate_geometry.h"
 #include "tangent_directions.h"
 
 namespace facenav::guidance {
@@ -82,17 +85,36 @@ Target withHairGap(const Target& target, double gap_mm) {
 }
 
 Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm) {
-  const Eigen::Matrix3d axes = target.mri_T_target.rotation();
-  const Eigen::Vector3d step = axes * Eigen::Vector3d(x_mm, y_mm, 0.0);
-  const Target there =
-      planTarget(target.name, scalp, Point<Mri>(target.cortex_point.mm + step), 0.0, hairGap_mm(target));
-  const Eigen::Quaterniond transport = rotationBetween(axes.col(2), there.mri_T_target.rotation().col(2));
+  constexpr double kStep_mm = 10, kPastStep_mm = 30;
+  const Eigen::Matrix3d planned = target.mri_T_target.rotation();
+  const Eigen::Vector3d from_mm =
+      target.mri_T_target.translation_mm() + centreGap_mm(target) * planned.col(2);
+  const double way_mm = std::hypot(x_mm, y_mm);
+  const auto skin = partWithin(scalp.mesh, from_mm, way_mm + kPastStep_mm);
+  const int steps = std::max(1, int(std::ceil(way_mm / kStep_mm)));
+  Eigen::Matrix3d axes = planned;
+  Eigen::Vector3d normal;
+  const auto ontoSkin = [&](const Eigen::Vector3d& over_mm) -> Eigen::Vector3d {
+    const auto height_mm = heightOnAxis(skin, axes, over_mm);
+    const auto found = height_mm
+                           ? normalRound(skin, axes, over_mm, *height_mm, settingsOf<PlateRest>().patch_mm)
+                           : std::nullopt;
+    if (!found) throw Error("the scalp ends there", "target " + target.name, "move it less far");
+    normal = *found;
+    return over_mm - *height_mm * axes.col(2);
+  };
+  Eigen::Vector3d place_mm = ontoSkin(from_mm);
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Vector3d before = normal;
+    place_mm = ontoSkin(place_mm + axes * Eigen::Vector3d(x_mm, y_mm, 0) / steps);
+    axes = rotationBetween(before, normal).toRotationMatrix() * axes;  // a tilt stays
+  }
   Target moved = target;
-  moved.cortex_point = there.cortex_point;
-  moved.scalp_point = there.scalp_point;
+  moved.scalp_point = Point<Mri>(place_mm);
+  moved.cortex_point = Point<Mri>(place_mm + axes * planned.transpose() * (target.cortex_point.mm - from_mm));
   moved.lift_mm = 0;
-  moved.mri_T_target = RigidTransform<Mri, frames::Target>(transport * Eigen::Quaterniond(axes),
-                                                           there.mri_T_target.translation_mm());
+  moved.mri_T_target = RigidTransform<Mri, frames::Target>(Eigen::Quaterniond(axes).normalized(),
+                                                           place_mm - hairGap_mm(target) * axes.col(2));
   return moved;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "facenav/scene/display.h"
@@ -31,6 +32,38 @@ FieldPicture falling() {
 TEST(FieldLayer, ColoursRunFromAFifthOfTheMaximum) {
   EXPECT_DOUBLE_EQ(fieldColours(80).low, 16);
   EXPECT_DOUBLE_EQ(fieldColours(80).high, 80);
+}
+
+TEST(FieldLayer, SlicesGetTheSameColours) {
+  const auto overlay = fieldOverlay(std::make_shared<volume::Volume>(), std::make_shared<volume::Mask>(), 80);
+  EXPECT_TRUE(overlay.is_strength);
+  EXPECT_EQ(overlay.threshold, fieldColours(80).low);
+  EXPECT_EQ(overlay.full, fieldColours(80).high);
+  EXPECT_TRUE(overlay.within);
+}
+
+TEST(FieldLayer, LinesLieAt50And75And90PercentOfTheMaximum) {
+  if (!hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  NavigationScene scene;
+  scene.setScalp(testing::ballMesh(62.0));
+  scene.setView(ViewPreset::left);
+  FieldLayer layer(scene);
+  auto picture = falling();
+  layer.set(&picture, 1.0);
+  const RgbImage with = scene.render(400, 400);
+  const auto whiteRows = [&] {
+    std::vector<int> rows;
+    for (int y = 0; y < with.height_px; ++y) {
+      const auto* p = with.pixel(with.width_px / 2, y);
+      if (std::min({p[0], p[1], p[2]}) > 200 && (rows.empty() || y > rows.back() + 3)) rows.push_back(y);
+    }
+    return rows;
+  };
+  const auto rows = whiteRows();
+  ASSERT_GE(rows.size(), 3u);
+  // From below: z = 0, 30 and 48 mm on a ball of 60 mm.
+  const double low = rows[rows.size() - 1], middle = rows[rows.size() - 2], high = rows[rows.size() - 3];
+  EXPECT_NEAR((low - middle) / (low - high), 30.0 / 48, 0.06);
 }
 
 TEST(FieldLayer, IsDrawnAndTakenAwayWhole) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "facenav/scene/colour_scale.h"
 #include "facenav/scene/slice_scene.h"
 
 namespace facenav::scene {
@@ -44,6 +45,23 @@ RgbImage pictureWith(const Overlay& overlay, const volume::SlicePlane& plane) {
   scene.has_letters = false;
   scene.overlays = {overlay};
   return scene.picture(plane);
+}
+
+TEST(Overlay, AStrengthIsDrawnInTheColoursOfItsBarAndInTheMaskAlone) {
+  Overlay overlay;
+  overlay.map = twoBlobs(4.5f);
+  overlay.threshold = 3, overlay.full = 6, overlay.opacity = 1, overlay.is_strength = true;
+  auto left_half = std::make_shared<volume::Mask>();
+  left_half->grid = overlay.map->grid;
+  for (std::size_t v = 0; v < overlay.map->voxels.size(); ++v)
+    left_half->voxels.push_back(40 - int(v % 81) < -20);  // x below -20 mm
+  overlay.within = left_half;
+  const auto plane = axialAt(0);
+  const RgbImage image = pictureWith(overlay, plane);
+  const auto wanted = sequentialColour(0.5);
+  const auto found = colourAt(image, plane, {-24, 0, 0});
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 255 * wanted[c], 1.5);
+  EXPECT_EQ(colourAt(image, plane, {-16, 0, 0}), (std::array<int, 3>{0, 0, 0})) << "outside the mask";
 }
 
 TEST(Overlay, MapsShowBothSignsInTheirOwnColoursOnTheirOwnSide) {

@@ -60,9 +60,11 @@ TEST_F(PlanEditorTest, PlacesATargetUnderTheScalpAndTurnsIt) {
 TEST_F(PlanEditorTest, ANudgeKeepsHandleAndGap) {
   editor_.addTarget(Point<Mri>(-40, 5, 60));
   editor_.replace(guidance::planTarget("T1", *head_.scalp, Point<Mri>(-40, 5, 60), -45 * M_PI / 180, 4.0));
-  const Eigen::Vector3d place = editor_.active()->cortex_point.mm;
+  const Eigen::Vector3d place = editor_.active()->cortex_point.mm, skin = editor_.active()->scalp_point.mm;
   editor_.nudge(2, 0);
-  EXPECT_NEAR((editor_.active()->cortex_point.mm - place).norm(), 2.0, 0.2);
+  EXPECT_NEAR((editor_.active()->scalp_point.mm - skin).norm(), 2.0, 0.1) << "of the coil, on the skin";
+  EXPECT_NEAR((editor_.active()->cortex_point.mm - place).norm(), 2.0 * place.norm() / 90, 0.3)
+      << "the target turns about the ball's centre with its coil";
   EXPECT_NEAR(handle_deg(), -45.0, 5.0);  // the ball's facets are 6 degrees wide
   EXPECT_NEAR(guidance::hairGap_mm(*editor_.active()), 4.0, 1e-9);
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "facenav/core/error.h"
@@ -79,6 +80,50 @@ TEST_F(PlannedFieldTest, TheKeptShellsAreReadOnceForManyPoses) {
   const auto field = plannedField(head, wanted_, monitor_);
   EXPECT_EQ(field.tier, FieldTier::three_shells);
   EXPECT_NEAR(field.usual_error, 0.23, 1e-12);
+}
+
+TEST_F(PlannedFieldTest, AVoidModelIsReadOnceAndSaid) {
+  EXPECT_FALSE(ReadHead(store_).isOutdated()) << "none was built";
+  efield::writeCortexField({}, "made from other masks", fieldFile(store_));
+  const ReadHead old(store_);
+  EXPECT_EQ(old.tier(), FieldTier::local_sphere);
+  EXPECT_TRUE(old.isOutdated());
+  EXPECT_TRUE(old.isCurrent(store_)) << "poses need not read the case again";
+  std::filesystem::last_write_time(
+      fieldFile(store_), std::filesystem::last_write_time(fieldFile(store_)) + std::chrono::seconds(2));
+  EXPECT_FALSE(old.isCurrent(store_)) << "another model was written";
+  std::filesystem::remove(store_.folder() / "cortex.vtp");
+  EXPECT_FALSE(ReadHead(store_).isOutdated()) << "no new one can be built";
+}
+
+TEST_F(PlannedFieldTest, WhatItReachesIsThatOfTheFieldAtItsRate) {
+  const ReadHead head(store_);
+  wanted_.rate.value = 66;
+  wanted_.against = targetOverCortex(plannedHead(store_), "side", Point<Mri>(40, 0, 55));
+  const auto field = plannedField(head, wanted_, monitor_);
+  const auto reach = plannedReach(head, wanted_, {}, monitor_);
+  ASSERT_TRUE(reach.regions);
+  ASSERT_TRUE(reach.in_brain);
+  const auto& strength = *reach.in_brain;
+  const auto at = [&](const Eigen::Vector3d& p_mm) {
+    return double(volume::sampleLinear(strength, strength.grid.toVoxel(Point<Mri>(p_mm))));
+  };
+  EXPECT_NEAR(
+      at({0, 0, 62}),
+      66 *
+          [&] {
+            const Eigen::Matrix3Xd place = Eigen::Vector3d(0, 0, 62);
+            const auto pose = coilPoseOf(wanted_.target);
+            return head.near(pose)->at(efield::fieldCoil(wanted_.coil).dipoles, pose, place).norm();
+          }(),
+      0.03 * field.peak)
+      << "voxels of 4 mm";
+  EXPECT_EQ(at({0, 0, 85}), 0) << "outside the brain";
+  EXPECT_NEAR(reach.against->at_target, field.at_target, 1e-9);
+  EXPECT_LT(reach.against->change(), -0.1);
+  EXPECT_GT((*reach.regions)[0].volume_ml, (*reach.regions)[2].volume_ml);
+  monitor_.cancel();
+  EXPECT_THROW(plannedReach(head, wanted_, {}, monitor_), Cancelled);
 }
 
 TEST_F(PlannedFieldTest, ACancelledOneGivesNothing) {

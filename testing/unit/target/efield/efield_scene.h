@@ -66,6 +66,18 @@ inline Eigen::Matrix3Xd closedForm(const CoilDipoles& coil, const Pose& mri_T_co
   return field;
 }
 
+/// Magnetic field of a current dipole `current_Am` (A m) at `source_m` in a sphere about the origin, in tesla
+/// at `place_m` outside it: Sarvas 1987, equation 25. SI units throughout.
+inline Vector3d sarvasField(const Vector3d& source_m, const Vector3d& current_Am, const Vector3d& place_m) {
+  const Vector3d a = place_m - source_m;
+  const double la = a.norm(), lr = place_m.norm(), ar = a.dot(place_m);
+  const double F = la * (lr * la + lr * lr - source_m.dot(place_m));
+  const Vector3d gradient =
+      (la * la / lr + ar / la + 2 * la + 2 * lr) * place_m - (la + 2 * lr + ar / la) * source_m;
+  const Vector3d moment = current_Am.cross(source_m);
+  return 1e-7 / (F * F) * (F * moment - moment.dot(place_m) * gradient);
+}
+
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}

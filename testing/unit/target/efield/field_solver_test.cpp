@@ -111,6 +111,24 @@ TEST(FieldSolver, IsReciprocalToTheFluxOfACurrentInTheBrain) {
   EXPECT_NEAR(field.dot(p), -1e5 * flux, 1e-3 * field.norm());
 }
 
+/// As in magnetoencephalography: B along each dipole of the coil, summed, from the coil's field.
+TEST(FieldSolver, GivesTheFluxOfSarvasEquationInABall) {
+  Draw draw(14);
+  for (int i = 0; i < 3; ++i) {
+    const Pose pose = draw.pose(i);
+    const Vector3d source_mm = 60 * -pose.rotation().col(2), current_nAm = 10 * draw.direction();
+    double flux = 0;  // B.m, in T A m2
+    for (Eigen::Index d = 0; d < figureEight().positions_mm.cols(); ++d) {
+      const Vector3d place_mm = pose.isometry() * Vector3d(figureEight().positions_mm.col(d));
+      const Vector3d moment = pose.rotation() * figureEight().moments_Am2.col(d);
+      flux += sarvasField(1e-3 * source_mm, 1e-9 * current_nAm, 1e-3 * place_mm).dot(moment);
+    }
+    const Vector3d field = coarseBalls().fieldAt(figureEight(), pose, source_mm).col(0);
+    const double largest = 1e-9 * current_nAm.norm() * field.norm() / 1e6;
+    EXPECT_NEAR(-1e-9 * current_nAm.dot(field) / 1e6, flux, 0.005 * largest) << "642 vertices a surface";
+  }
+}
+
 TEST(FieldSolver, KeepsPointsInsideTheMesh) {
   const ShellMesh inner = ball(kInnerSkull_mm, 3);
   Eigen::Matrix3Xd points(3, 3);

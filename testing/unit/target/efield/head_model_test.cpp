@@ -68,6 +68,55 @@ TEST(HeadModel, ANeckCutByTheScanIsClosedThere) {
   EXPECT_GT(head.scalp.vertices_mm.row(2).minCoeff(), -110) << "a voxel below the scan";
 }
 
+TEST(HeadModel, OfAChildHasItsRadii) {
+  // One year old: 0.8 of an adult's head.
+  const HeadModel head = buildHeadModel(maskOf(inBall(58)), maskOf(inBall(73)), ballMesh(73, 90, 120), 3);
+  EXPECT_NEAR(meanRadius(head.inner_skull), 58 + 3, 0.6);
+  EXPECT_NEAR(meanRadius(head.outer_skull), 61 + 0.4 * 12, 0.6) << "at most 40 % of the way to the skin";
+  EXPECT_NEAR(meanRadius(head.scalp), 73, 0.3);
+}
+
+TEST(HeadModel, BridgesHolesInTheBrainMask) {
+  // A grid of holes of 4 mm radius every 16 mm, some of them open to the outside.
+  const Inside brain = inBall(72), hole = [](const Vector3d&p) {
+    const Vector3d cell = (p / 16).array() - (p / 16).array().round();
+    return 16 * cell.norm() < 4;
+  };
+  const auto mask = maskOf([=](const Vector3d& p) { return brain(p) && !hole(p); });
+  const HeadModel head = buildHeadModel(mask, maskOf(inBall(92)), {}, 3);
+  EXPECT_NEAR(meanRadius(head.inner_skull), 75, 0.8);
+  EXPECT_NEAR(head.inner_skull.vertices_mm.colwise().norm().minCoeff(), 75, 2.5);
+}
+
+TEST(HeadModel, ALesionThatIsLeftOutOfTheMaskIsBridgedOrFollowed) {
+  // Lost tissue at the surface, filled by fluid and left out of the brain mask: 18 mm across. The skull goes
+  // over it, as the closing by 10 mm bridges it.
+  const Inside brain = inBall(72), small = inBall(9, {0, 0, 66}), wide = inBall(30, {0, 0, 66});
+  const HeadModel bridged = buildHeadModel(maskOf([=](const Vector3d& p) { return brain(p) && !small(p); }),
+                                           maskOf(inBall(92)), {}, 3);
+  EXPECT_GT(bridged.inner_skull.vertices_mm.row(2).maxCoeff(), 72);
+  // A wide one (60 mm) is taken as the brain's shape: the model is built, and its skull follows the mask.
+  const HeadModel dented = buildHeadModel(maskOf([=](const Vector3d& p) { return brain(p) && !wide(p); }),
+                                          maskOf(inBall(92)), {}, 3);
+  for (const HeadModel* head : {&bridged, &dented}) {
+    EXPECT_GE(gaps_mm(head->inner_skull, head->outer_skull).minCoeff(), kLeastGap_mm);
+    EXPECT_GE(gaps_mm(head->outer_skull, head->scalp).minCoeff(), kLeastGap_mm);
+  }
+}
+
+TEST(HeadModel, AHeadCutAboveTheBrainIsRefusedInOneLine) {
+  // The scan ends 2 mm above the brain: skin and skull of the vertex are not in it.
+  volume::Mask brain = maskOf(inBall(70, {0, 0, -30})), head = maskOf(inBall(90, {0, 0, -30}));
+  for (auto* mask : {&brain, &head}) {  // keep what lies below z = 42 mm
+    const int kept = 50;
+    mask->grid.size[2] = kept;
+    mask->voxels.resize(std::size_t(72) * 72 * kept);
+  }
+  const std::string words = refusalOf([&] { buildHeadModel(brain, head, {}, 2); });
+  EXPECT_NE(words.find("cuts the head beside the brain"), std::string::npos) << words;
+  EXPECT_EQ(words.find('\n'), std::string::npos);
+}
+
 TEST(HeadModel, SaysWhatIsMissing) {
   const volume::Mask head = maskOf(inBall(92));
   const auto refusal = [&](const Inside& brain, const volume::Mask& skin) {

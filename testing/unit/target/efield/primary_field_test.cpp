@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "efield_scene.h"
+
 namespace facenav::efield {
 namespace {
 
@@ -91,6 +93,47 @@ TEST(SphereField, HasTheCurlOfThePrimaryField) {
     });
     EXPECT_NEAR((total - primary).norm() / primary.norm(), 0, 1e-5);
   }
+}
+
+/// B along `moment` of a current dipole, in fT, by reciprocity: a coil of 1 A m2 whose current rises by 1
+/// A/us = 1e6 A/s induces E at the source, and B.n = -E.Q / 1e6.
+double byReciprocity_fT(const Eigen::Vector3d& place_m, const Eigen::Vector3d& moment,
+                        const Eigen::Vector3d& source_m, const Eigen::Vector3d& current_nAm) {
+  return -inSphere(dipole(place_m, moment), source_m).dot(current_nAm) / 1e6 * 1e-9 * 1e15;
+}
+
+TEST(SphereField, GivesTheFieldsOfMagnetoencephalographyByReciprocity) {
+  RandomDipoles make;
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d place_m = make.between(0.1, 0.13) * make.direction(), along = make.direction();
+    const Eigen::Vector3d source_m = make.between(0.02, 0.085) * make.direction(),
+                          current_nAm = 10 * make.direction();
+    const Eigen::Vector3d sarvas_fT = 1e15 * testing::sarvasField(source_m, 1e-9 * current_nAm, place_m);
+    EXPECT_NEAR(byReciprocity_fT(place_m, along, source_m, current_nAm), sarvas_fT.dot(along),
+                1e-3 * std::abs(sarvas_fT.dot(along)) + 1e-9);
+    // The radial part needs no volume currents (Biot and Savart alone).
+    const Eigen::Vector3d out = place_m.normalized(), a = place_m - source_m;
+    const double radial_fT = 1e15 * 1e-7 * 1e-9 * current_nAm.cross(a).dot(out) / std::pow(a.norm(), 3);
+    EXPECT_NEAR(byReciprocity_fT(place_m, out, source_m, current_nAm), radial_fT,
+                1e-3 * std::abs(radial_fT) + 1e-9);
+  }
+}
+
+TEST(SphereField, GivesTheFieldUnderASensorThatCanBeWorkedOutByHand) {
+  // 10 nA m along x, 70 mm above the centre; sensors 120 mm from it. Radial, at 45 degrees in the y-z plane:
+  // B = 1e-7 Q z_source y / a^3 with the signs of (Q x a).out.
+  const double h = 0.12 * std::sqrt(0.5);
+  const Eigen::Vector3d source_m(0, 0, 0.07), place_m(0, h, h), out(0, std::sqrt(0.5), std::sqrt(0.5));
+  const double a_m = std::sqrt(h * h + (h - 0.07) * (h - 0.07));
+  // Q x a = 10 nA m (0, -(h - 0.07), h); along out: 10 nA m sqrt(0.5) 0.07 m.
+  const double radial_fT = 1e15 * 1e-7 * 1e-8 * std::sqrt(0.5) * 0.07 / std::pow(a_m, 3);
+  EXPECT_NEAR(byReciprocity_fT(place_m, out, source_m, {10, 0, 0}), radial_fT, 1e-3 * radial_fT);
+  // Above the source, tangential: Sarvas' equation with a = 0.05 m, r = 0.12 m, F = 0.05 * 0.012 = 6e-4 m3,
+  // and Q x r0 at a right angle to r: B = 1e-7 (Q x r0) / F.
+  EXPECT_NEAR(byReciprocity_fT({0, 0, 0.12}, {0, 1, 0}, source_m, {10, 0, 0}), -1e15 * 1e-7 * 7e-10 / 6e-4,
+              0.12);
+  // A radial current has no field outside.
+  EXPECT_NEAR(byReciprocity_fT(place_m, {0.3, 0.2, -1}, source_m, {0, 0, 10}), 0, 1e-9);
 }
 
 TEST(SphereField, MovesWithCoilAndSphere) {

@@ -201,6 +201,26 @@ TEST(CoilPlate, TwoNudgesOnRoughSkinTurnTheHandleOnlyAsTheHeadCurves) {
     }
 }
 
+TEST(CoilPlate, ANudgeMovesThePlateAsFarAsItSaysWhereverItStands) {
+  const auto scalp = plateBall();
+  for (const double beside_mm : {0.0, 12.0}) {
+    Target start = restOnHead(plannedOver(scalp, {-1, 0.2, 1}), scalp, figureOfEight());
+    start.cortex_point.mm += beside_mm * start.mri_T_target.rotation().col(0);
+    for (const Eigen::Vector2d& way_mm :
+         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, -1), Eigen::Vector2d(-5, 0), Eigen::Vector2d(6, 8)}) {
+      const Target moved = movedOnHead(start, scalp, figureOfEight(), way_mm.x(), way_mm.y());
+      const Eigen::Vector3d step =
+          start.mri_T_target.rotation().transpose() *
+          (moved.mri_T_target.translation_mm() - start.mri_T_target.translation_mm());
+      EXPECT_THAT(Eigen::Vector2d(step.head<2>()), EigenNear(way_mm, 0.03));
+      EXPECT_NEAR(moved.mri_T_target.translation_mm().norm(), kPlateBall_mm, 0.05) << "on the skin";
+      const Eigen::Vector3d under = (start.mri_T_target.inverse() * start.cortex_point).mm;
+      const Eigen::Vector3d under_then = (moved.mri_T_target.inverse() * moved.cortex_point).mm;
+      EXPECT_THAT(under_then, EigenNear(under, 0.05)) << "the target moves with its plate";
+    }
+  }
+}
+
 TEST(CoilPlate, RefusesAnAxisThatMeetsNoSkin) {
   Target target = plannedOver(plateBall(), {0, 0, 1});
   EXPECT_THROW(restOnHead(target, surface::ScalpSurface{}, figureOfEight()), Error);

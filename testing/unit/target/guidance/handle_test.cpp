@@ -16,7 +16,7 @@ const Eigen::Vector3d kCentre_mm(12, -30, 25);
 const surface::ScalpSurface& roundHead() {
   static const surface::ScalpSurface kHead = [] {
     surface::ScalpSurface scalp;
-    scalp.mesh = sphere(kCentre_mm, 90);
+    scalp.mesh = sphere(kCentre_mm, 90, 180);  // facets of 1.6 mm
     return scalp;
   }();
   return kHead;
@@ -58,11 +58,47 @@ TEST(MovedAlongScalp, KeepsTheSignedAngleOfTheHandleGapDepthNameAndNote) {
       const Target moved = movedAlongScalp(target, roundHead(), 1, 0);
       EXPECT_NEAR(angle_deg(moved), planned_deg, 2.5) << place.transpose();
       EXPECT_NEAR(hairGap_mm(moved), 4.0, 1e-9);
-      EXPECT_NEAR((moved.cortex_point.mm - target.cortex_point.mm).norm(), 1.0, 1e-9);
+      // On a ball of 90 mm; the cortex point lies at 70 mm and turns with the coil by the same angle.
+      EXPECT_NEAR((moved.scalp_point.mm - target.scalp_point.mm).norm(), 1.0, 0.02);
+      EXPECT_NEAR((moved.cortex_point.mm - target.cortex_point.mm).norm(), 70.0 / 90, 0.15)
+          << "the ball's facets";
       EXPECT_NEAR((moved.cortex_point.mm - moved.scalp_point.mm).norm(), 20.0, 0.2);
       EXPECT_EQ(moved.name, "spot");
       EXPECT_EQ(moved.note, "hotspot");
     }
+}
+
+/// Displacement of the coil's centre, in its axes before the step.
+Eigen::Vector3d stepOf(const Target& before, const Target& after) {
+  return before.mri_T_target.rotation().transpose() *
+         (after.mri_T_target.translation_mm() - before.mri_T_target.translation_mm());
+}
+
+TEST(MovedAlongScalp, StartsUnderTheCoilAlsoWhereItStandsBesideItsTarget) {
+  for (const auto& place : {kForehead, kVertex, kLeft, kM1Right})
+    for (const Eigen::Vector3d& beside_mm :
+         {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(12, -7, 3), Eigen::Vector3d(-20, 5, -5)}) {
+      Target target = over(place, 30);
+      target.cortex_point.mm += target.mri_T_target.rotation() * beside_mm;
+      for (const Eigen::Vector2d& way_mm :
+           {Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, 5), Eigen::Vector2d(3, -4)}) {
+        const Target moved = movedAlongScalp(target, roundHead(), way_mm.x(), way_mm.y());
+        EXPECT_THAT(Eigen::Vector2d(stepOf(target, moved).head<2>()), EigenNear(way_mm, 1e-6));
+        const Eigen::Vector3d under = (target.mri_T_target.inverse() * target.cortex_point).mm;
+        const Eigen::Vector3d under_then = (moved.mri_T_target.inverse() * moved.cortex_point).mm;
+        EXPECT_THAT(under_then, EigenNear(under, 1e-6)) << "the target moves with its coil";
+      }
+    }
+}
+
+TEST(MovedAlongScalp, MeasuresALongWayOnTheSkin) {
+  // A quarter of the way round the ball: the plate's centre turns about the ball's centre by 141 / 90 rad.
+  const Target target = over(kVertex, 0);
+  const Target moved = movedAlongScalp(target, roundHead(), 0, 141);
+  const Eigen::Vector3d from = (target.scalp_point.mm - kCentre_mm).normalized();
+  const Eigen::Vector3d to = (moved.scalp_point.mm - kCentre_mm).normalized();
+  EXPECT_NEAR(std::acos(from.dot(to)), 141.0 / 90, 0.03);
+  EXPECT_NEAR(to.dot(target.mri_T_target.rotation().col(0)), 0, 0.02) << "straight ahead";
 }
 
 TEST(MovedAlongScalp, NeverTurnsTheHandleRoundOnTheWayFromForeheadToCrown) {

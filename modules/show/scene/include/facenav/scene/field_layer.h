@@ -1,6 +1,6 @@
 #pragma once
-// FieldLayer: a coil's electric field on the brain in the 3-D scene: colours by strength, a line at half of
-// the maximum, and a dot with words at the maximum. World must be Mri (ViewFrame::head_fixed).
+// FieldLayer: a coil's electric field on the brain in the 3-D scene: colours by strength, lines at 50, 75
+// and 90 % of the maximum, and a dot with words at the maximum. World must be Mri (ViewFrame::head_fixed).
 
 #include <memory>
 #include <string>
@@ -8,6 +8,7 @@
 
 #include "facenav/scene/colour_scale.h"
 #include "facenav/scene/navigation_scene.h"
+#include "facenav/scene/overlay.h"
 
 namespace facenav::scene {
 
@@ -23,6 +24,9 @@ struct FieldPicture {
 /// Colours of a field: from a fifth of its maximum; a weaker field is not coloured, so that the brain stays
 /// visible.
 ColourRange fieldColours(double peak);
+/// The field for the slices, in the same colours: `strength` in V/m, drawn inside the brain.
+Overlay fieldOverlay(std::shared_ptr<const volume::Volume> strength,
+                     std::shared_ptr<const volume::Mask> brain, double peak);
 
 class FieldLayer {
  public:

@@ -28,8 +28,10 @@ struct Overlay {
   std::shared_ptr<const volume::Volume> mask;  // 0 to 1; shown from 0.5
   std::shared_ptr<const BoxedTracts> tracts;
   std::shared_ptr<const surface::TriangleMesh> mesh;
-  double threshold = 0, full = 1;        // map: start and end of its colours, for both signs
-  palette::Rgb colour{0.25, 0.9, 0.45};  // mask and mesh; tracts are coloured by direction
+  double threshold = 0, full = 1;                   // map: start and end of its colours, for both signs
+  bool is_strength = false;                         // map: never negative, in the colours of colour_scale.h
+  std::shared_ptr<const volume::Mask> within = {};  // map: drawn in it alone; null: everywhere
+  palette::Rgb colour{0.25, 0.9, 0.45};             // mask and mesh; tracts are coloured by direction
 };
 
 /// Colour of a map's value: positive from dark red to yellow, negative from dark blue to pale cyan, with

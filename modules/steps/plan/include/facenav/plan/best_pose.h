@@ -14,7 +14,7 @@ enum class FieldAim {
 
 struct BestPose {
   guidance::Target target;       ///< the planned one with its plate at the best pose; nothing is stored
-  double x_mm = 0, y_mm = 0;     ///< moved along the scalp, in the planned coil's axes
+  double x_mm = 0, y_mm = 0;     ///< from the planned plate's centre to the best one's, in the planned axes
   double turned_deg = 0;         ///< > 0 clockwise when seen along the coil's z
   double planned = 0, best = 0;  ///< what was maximised, V/m at 1 A/us
   int poses = 0;                 ///< that were tried

@@ -1,11 +1,8 @@
 #pragma once
-// The field of a planned pose on the cortex of a case: its strength at the target, its maximum, the region
-// that it reaches, the comparison with an imported field, and the output that gives a target the field of
-// another one. Fields in V/m at a rate of the current of 1 A/us unless stated; places in Mri. See
-// resources/doc/field.md for what the numbers mean.
-
-#include <array>
-#include <map>
+// The field of a planned pose on the cortex of a case: its strength at the target, its maximum, the
+// comparison with an imported field, and the output that gives a target the field of another one. The region
+// that it reaches is in field_region.h. Fields in V/m at a rate of the current of 1 A/us unless stated;
+// places in Mri. See resources/doc/field.md for what the numbers mean.
 
 #include "facenav/efield/coil_dipoles.h"
 #include "facenav/plan/head_field.h"
@@ -20,13 +17,6 @@ struct CortexNormal {
 };
 CortexNormal cortexNormal(const FieldSurfaces& surfaces, const guidance::Target& target);
 
-/// Part of the brain where the field is at least a share of its maximum.
-struct FieldRegion {
-  double share = 0;  ///< 0.5, 0.75, 0.9
-  double volume_ml = 0;
-  std::map<std::string, double> by_label = {};  ///< ml; empty without an atlas
-};
-
 struct FieldOnCortex {
   Eigen::Matrix3Xd field;  ///< at the cortex' vertices
   Eigen::Vector3d at_target = Eigen::Vector3d::Zero();
@@ -39,15 +29,8 @@ struct FieldOnCortex {
 FieldOnCortex fieldOnCortex(const HeadField& head, const FieldSurfaces& surfaces,
                             const efield::CoilDipoles& coil, const guidance::Target& target);
 
-/// Name of the brain's part at a place; empty: none.
-using LabelOf = std::function<std::string(const Point<Mri>&)>;
-/// Regions above 50, 75 and 90 % of `peak`, measured in the brain mask on a grid of about 2 mm within 80 mm
-/// of the coil. Throws Error if the case has no brain mask.
-std::array<FieldRegion, 3> fieldRegions(const HeadField& head, const FieldSurfaces& surfaces,
-                                        const efield::CoilDipoles& coil, const guidance::Target& target,
-                                        double peak, const LabelOf& label = {});
-
-/// |E| in the brain mask, 0 elsewhere, on the mask's grid. Throws Error as fieldRegions does.
+/// |E| in the brain mask, 0 elsewhere, on the mask's grid. Throws Error if the case has no
+/// brain mask.
 volume::Volume fieldVolume(const HeadField& head, const FieldSurfaces& surfaces,
                            const efield::CoilDipoles& coil, const CoilPose& mri_T_coil, double rate_A_per_us);
 /// Writes the field at a rate of the current to .vtp, .msh (vectors on the cortex) or .nii, .nii.gz (|E| in

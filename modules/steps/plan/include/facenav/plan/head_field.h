@@ -3,9 +3,12 @@
 // to the surest; headField is the only place that chooses one. Fields in V/m at a rate of the current of 1
 // A/us, places in Mri.
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "facenav/casefile/case_store.h"
@@ -58,11 +61,22 @@ class ReadHead {
   explicit ReadHead(const casefile::CaseStore& store);
   const FieldSurfaces& surfaces() const { return surfaces_; }
   FieldTier tier() const;
+  /// True if the case keeps three shells that were built before its masks changed, and can have new ones: the
+  /// old ones are not used.
+  bool isOutdated() const { return stamp_ && !shells_ && can_have_shells_; }
+  /// True while the case still keeps the model's file that was read here, or still none.
+  bool isCurrent(const casefile::CaseStore& store) const;
   /// The model that headField chooses for a pose.
   std::unique_ptr<HeadField> near(const CoilPose& pose) const;
 
  private:
   FieldSurfaces surfaces_;
+  /// When the model's file was written, and its size; nothing without a file.
+  using Stamp = std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+  static Stamp stampOf(const casefile::CaseStore& store);
+
+  Stamp stamp_;  // from before the file is read
+  bool can_have_shells_;
   std::shared_ptr<const KeptShells> shells_;
 };
 

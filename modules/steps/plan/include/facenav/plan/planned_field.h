@@ -6,6 +6,7 @@
 #include "facenav/efield/coil_file.h"
 #include "facenav/plan/best_pose.h"
 #include "facenav/plan/cortex_field.h"
+#include "facenav/plan/field_region.h"
 
 namespace facenav::steps {
 
@@ -24,6 +25,7 @@ struct WantedField {
   std::string coil;  ///< as efield::fieldCoil takes it
   CurrentRate rate = {};
   std::shared_ptr<const surface::TriangleMesh> drawn = {};  ///< null: nothing is drawn
+  std::optional<guidance::Target> against = {};             ///< target whose pose is compared
 };
 
 /// Fields in V/m at the rate.
@@ -38,6 +40,19 @@ struct PlannedField {
 };
 /// Throws Error as efield::fieldCoil and inA_per_us do; Cancelled.
 PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskMonitor& monitor);
+
+/// What the field of the planned pose reaches, and how it differs from that of another target's pose; at the
+/// rate. It takes longer than plannedField.
+struct PlannedReach {
+  std::optional<FieldRegions> regions = {};                  ///< nothing if the case has no brain mask
+  std::shared_ptr<const volume::Volume> in_brain = nullptr;  ///< V/m, as FieldInBrain::strength
+  std::optional<PoseComparison> against = {};
+};
+/// Throws Error as plannedField; Cancelled.
+PlannedReach plannedReach(const ReadHead& head, const WantedField& wanted, const LabelOf& label,
+                          TaskMonitor& monitor);
+/// Compares with another pose of the coil, at the rate.
+PoseComparison comparePlanned(const ReadHead& head, const WantedField& wanted, const guidance::Target& other);
 
 /// Best pose for the target (best_pose.h), its strengths at the rate. Throws as plannedField.
 BestPose bestPlannedPose(const ReadHead& head, const PlannedHead& planned, const WantedField& wanted,

@@ -67,7 +67,8 @@ Target restOnHead(const Target& target, const surface::ScalpSurface& scalp, cons
 Target settleOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate);
 
 /// Returns the target moved along the scalp by x and y (its own axes, mm), its plate resting on the head
-/// there. Gap, name and note do not change. The handle keeps its direction: its pose turns by the one
+/// there, over the place that movedAlongScalp gives. Gap, name and note do not change, nor does the cortex
+/// point's place under the plate. The handle keeps its direction: its pose turns by the one
 /// smallest rotation from the old axis to the new one, so rough skin cannot turn it step by step. Throws as
 /// movedAlongScalp and restOnHead do.
 Target movedOnHead(const Target& target, const surface::ScalpSurface& scalp, const CoilPlate& plate,

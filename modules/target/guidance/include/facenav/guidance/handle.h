@@ -44,9 +44,11 @@ Target withHandleAngle(const Target& target, const surface::ScalpSurface& scalp,
 /// Returns the target with another gap, along the coil's z. Throws Error outside 0..kMostGap_mm.
 Target withHairGap(const Target& target, double gap_mm);
 
-/// Returns the target moved along the scalp by x and y (its own axes, mm). Depth under the scalp, gap, name
-/// and note do not change. The handle keeps its direction: the pose turns by the smallest rotation from the
-/// old z to the new one. Throws like planTarget.
+/// Returns the target moved along the scalp by x and y (its own axes, mm). The way begins under the plate's
+/// centre, wherever the cortex point lies, and is measured on the skin. The cortex point moves with the
+/// plate: it keeps its place under it. Depth under the scalp, gap, name and note do not change. The handle
+/// keeps its direction: the pose turns by the smallest rotation that carries the skin's mean normal along.
+/// Throws Error where the scalp ends.
 Target movedAlongScalp(const Target& target, const surface::ScalpSurface& scalp, double x_mm, double y_mm);
 
 }  // namespace facenav::guidance
