@@ -190,9 +190,11 @@ OtherFile readBrainsight(const Source& source) {
       continue;
     }
     if (trimmed(line).empty() || (cells.size() < 2 && startsWith(line, "#"))) continue;
-    if (cells.size() > header_cells)
-      refuseFile(source.path, where,
-                 formatted("has %d cells, its section has %d columns", int(cells.size()), int(header_cells)));
+    for (std::size_t i = header_cells; i < cells.size(); ++i)
+      if (!trimmed(cells[i]).empty())
+        refuseFile(
+            source.path, where,
+            formatted("has %d cells, its section has %d columns", int(cells.size()), int(header_cells)));
     if (auto item = itemOf(section, columns, cells)) {
       if (cells.size() < 4) refuseFile(source.path, where, "is cut short", "copy or export the file again");
       item->where = where;

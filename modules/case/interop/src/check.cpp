@@ -7,6 +7,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/geometry/json_transform.h"
+#include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/interop/axes.h"
 #include "skin_distance.h"
@@ -117,6 +118,28 @@ WorldChange byOwnWords(const OtherFile& file, Form form, const CaseHead& head) {
   // A T1 with one form, or two that agree, has one world.
   if (!t1.sform || !t1.qform || apart_mm <= 1e-3) return change;
   change.mri_T_world = t1.grid.mri_from_voxel * t1.map(form).inverse();
+  return change;
+}
+
+/// The file's world by its three points of the head.
+WorldChange byHeadPoints(const HeadPoints& theirs, const CaseHead& head) {
+  WorldChange change;
+  if (!head.points) {
+    change.refusal =
+        "its frame is that of nasion and ears, and the case has no landmarks: set them first (plan)";
+    return change;
+  }
+  const auto listOf = [](const HeadPoints& points) {
+    return std::vector<Eigen::Vector3d>{points.left_ear, points.nasion, points.right_ear};
+  };
+  const auto fit = fitRigidPoints(listOf(theirs), listOf(*head.points));
+  const std::string misfit =
+      formatted("nasion and ears of the file fit those of the case to %.1f mm", fit.rms_mm);
+  if (fit.rms_mm > kLargestMisfit_mm)
+    change.refusal = misfit + formatted("; at most %.0f mm are taken", kLargestMisfit_mm);
+  else
+    change.notes.push_back(misfit);
+  change.mri_T_world = Eigen::Affine3d(fit.to_T_from.matrix());
   return change;
 }
 
@@ -236,7 +259,9 @@ void check(OtherFile& file, const CaseHead& head, const Answers& answers, const 
   if (const std::string fault = faultOfSpace(space, file); !fault.empty()) return refuseAll(file, fault);
   const Form form = answers.form.value_or(file.form);
   if (answers.form) file.is_form_doubtful = false;
-  const WorldChange change = file_t1 ? byNamedT1(*file_t1, form, head) : byOwnWords(file, form, head);
+  const WorldChange change = file.head_points ? byHeadPoints(*file.head_points, head)
+                             : file_t1        ? byNamedT1(*file_t1, form, head)
+                                              : byOwnWords(file, form, head);
   if (!change.refusal.empty()) return refuseAll(file, change.refusal);
   file.notes.insert(file.notes.end(), change.notes.begin(), change.notes.end());
   if (!answers.space)

@@ -12,11 +12,6 @@
 namespace facenav::interop {
 namespace {
 
-bool isAnyJson(const std::string& content) {
-  const auto first = content.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (content[first] == '{' || content[first] == '[');
-}
-
 /// Names a kind of file that is known and cannot be read; empty if it is none of them.
 std::string knownButNotRead(const std::string& content) {
   if (startsWith(content, "\x89HDF\r\n"))
@@ -28,8 +23,6 @@ std::string knownButNotRead(const std::string& content) {
   if (startsWith(content, "SQLite format 3"))
     return "is a database, perhaps a Brainsight project: export its targets as text";
   if (startsWith(content, "PK")) return "is an archive: unpack it and choose the file of targets in it";
-  if (isAnyJson(content) && contains(content, "\"Stimuli\"") && contains(content, "\"Targets\""))
-    return "is a StimGuide file, which is not read yet";
   if (startsWith(content, "visor2 software version"))
     return "is a visor2 list of pulses, which is not read yet";
   if (contains(content.substr(0, 4000), "nibs_position_id") ||
@@ -64,6 +57,7 @@ std::vector<Format> makeFormats() {
       {"fcsv", "older markups of 3D Slicer", "", false, isFcsv, readFcsv, nullptr},
       {"navinibs", "NaviNIBS targets; with --session samples", "navinibs_targets.json", true, isNavinibs,
        readNavinibs, writeNavinibs},
+      {"stimguide", "StimGuide: places", "", false, isStimguide, readStimguide, nullptr},
       {"csv", "targets and pulses as a table", "targets.csv", true, isOwnCsv, readOwnCsv, writeOwnCsv},
       {"json", "targets as in targets.json", "targets.json", false, isOwnJson, readOwnJson, writeOwnJson}};
 }

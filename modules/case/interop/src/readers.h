@@ -50,6 +50,9 @@ bool isNavinibs(const std::string& content);
 OtherFile readNavinibs(const Source& source);
 Written writeNavinibs(const Order& order);
 
+bool isStimguide(const std::string& content);
+OtherFile readStimguide(const Source& source);
+
 bool isOwnCsv(const std::string& content);
 OtherFile readOwnCsv(const Source& source);
 Written writeOwnCsv(const Order& order);

@@ -30,15 +30,19 @@ Space spaceOf(const JsonReader& markup) {
   markup.at("coordinateSystem").refuse("is '" + words.substr(0, 40) + "', LPS or RAS was expected");
 }
 
+/// Units are a text or a coded entry, whose first word is the unit.
 void requireMillimetres(const JsonReader& markup) {
   if (!isGiven(markup, "coordinateUnits")) return;
   const auto units = markup.at("coordinateUnits");
-  std::string words = "mm";
+  std::string words;
   if (units.isText())
     words = units.text();
-  else if (const auto parts = units.elements(); !parts.empty() && parts[0].isText())
+  else if (units.has("codeValue"))
+    words = units.at("codeValue").text();
+  else if (const auto parts = units.elements(); !parts.empty())
     words = parts[0].text();
-  if (words != "mm") units.refuse("is '" + words.substr(0, 40) + "', mm was expected");
+  if (words != "mm" && !startsWith(words, "(mm,"))
+    units.refuse("is '" + words.substr(0, 40) + "', mm was expected");
 }
 
 /// Items are kept in RAS, since several markups with spaces of their own may stand in a file.

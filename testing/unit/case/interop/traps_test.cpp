@@ -124,6 +124,17 @@ TEST(Slicer, APointWithoutAnOrientationIsAPlace) {
   EXPECT_FALSE(itemNamed(file, "U").place_mm);
 }
 
+TEST(Slicer, UnitsMayBeACodedEntryAndMustBeMillimetres) {
+  const auto withUnits = [](const std::string& units) {
+    return "{\"markups\": [{\"coordinateUnits\": " + units +
+           ", \"controlPoints\": [{\"label\": \"F\", \"position\": [10, 20, 30]}]}]}";
+  };
+  for (const char* units : {"\"mm\"", "[\"mm\", \"UCUM\", \"millimeter\"]", "{\"codeValue\": \"mm\"}"})
+    EXPECT_EQ(readCheckedText(withUnits(units), madeHead()).items.size(), 1u) << units;
+  EXPECT_THAT(refusalOf([&] { readCheckedText(withUnits("\"m\""), madeHead()); }),
+              HasSubstr("mm was expected"));
+}
+
 TEST(Slicer, AnOlderListNamesItsSpace) {
   const std::string start = "# Markups fiducial file version = 4.11\n# CoordinateSystem = ";
   const std::string row =
@@ -139,6 +150,25 @@ TEST(Visor2, AFileOfAnotherT1IsNamedInMillimetres) {
   head.t1.qform->translation() += Eigen::Vector3d(0, 0, 5);
   const auto file = readChecked(made("ant_visor2.mrk"), head);
   EXPECT_THAT(file.items[0].refusal, HasSubstr("corners lie up to 5.0 mm"));
+}
+
+/// The frame of three points 0.1 m ahead of the case's.
+TEST(Stimguide, PlacesAreRegisteredByNasionAndEars) {
+  const std::string text =
+      R"({"Targets": [{"Name": "DLPFC", "Position": {"X": -0.05, "Y": 0.14, "Z": 0.07}, "Rotation": )"
+      R"({"X": 0, "Y": 0, "Z": 0, "W": 1}}], "Stimuli": [], "Landmarks": [{"Time": "", "LeftEar": )"
+      R"({"X": -0.07, "Y": 0.1, "Z": 0}, "Nasion": {"X": 0, "Y": 0.2, "Z": 0}, "RightEar": )"
+      R"({"X": 0.07, "Y": 0.1, "Z": 0}}]})";
+  auto head = madeHead();
+  EXPECT_THAT(readCheckedText(text, head).items[0].refusal, HasSubstr("has no landmarks"));
+  head.points = HeadPoints{{-70, 0, 0}, {0, 100, 0}, {70, 0, 0}};
+  const auto file = readCheckedText(text, head);
+  EXPECT_EQ(file.items[0].kind, Kind::landmark);
+  ASSERT_TRUE(file.items[0].mri_place) << file.items[0].refusal;
+  EXPECT_NEAR((file.items[0].mri_place->mm - Eigen::Vector3d(-50, 40, 70)).norm(), 0.0, 1e-6);
+  EXPECT_THAT(file.notes, ::testing::Contains(HasSubstr("to 0.0 mm")));
+  head.points = HeadPoints{{-70, 0, 0}, {0, 140, 0}, {70, 0, 0}};
+  EXPECT_THAT(readCheckedText(text, head).items[0].refusal, HasSubstr("at most 8 mm"));
 }
 
 TEST(Navinibs, ABareListIsTaken) {
@@ -160,7 +190,6 @@ TEST(Formats, KindsThatAreKnownAndNotReadAreNamed) {
   const auto refusal = [](const std::string& content) {
     return refusalOf([&] { readOtherText({content, "file", nullptr}); });
   };
-  EXPECT_THAT(refusal("{\"Targets\": [], \"Stimuli\": []}"), HasSubstr("StimGuide"));
   EXPECT_THAT(refusal("nibs_position_id\tnibs_element_id\n"), HasSubstr("NIBS-BIDS"));
   EXPECT_THAT(refusal("SQLite format 3"), HasSubstr("Brainsight project"));
   EXPECT_THAT(refusal(std::string("\xFF\xFE#\0", 4)), HasSubstr("UTF-16"));

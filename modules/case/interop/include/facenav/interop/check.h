@@ -19,6 +19,9 @@ constexpr double kReach_mm = 400;
 /// Largest deviation of the axes from unit length and right angles that counts as rounding and is mended.
 constexpr double kLargestSkew = 1e-2;
 
+/// Largest residual of a file's three head points on those of the case, mm (root mean square).
+constexpr double kLargestMisfit_mm = 8;
+
 /// Answers of the user.
 struct Answers {
   std::optional<Space> space;  // ras or lps
@@ -31,6 +34,7 @@ struct CaseHead {
   T1 t1;
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();  // of the head
   std::vector<Eigen::Vector3d> skin_mm;                 // points of the skin, some thousand are enough
+  std::optional<HeadPoints> points;                     // of the case, in Mri: tragi and nasion
   /// Form that the case was prepared with, if the sform and qform of its T1 differed then; the case's own
   /// copy of the T1 holds this one only. any: they agreed.
   Form used_of_two = Form::any;

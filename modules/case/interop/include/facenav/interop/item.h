@@ -35,6 +35,11 @@ struct QformNumbers {
   Eigen::Affine3d affine() const;
 };
 
+/// Three points that everybody finds on a head, mm. Some files have their frame by them alone.
+struct HeadPoints {
+  Eigen::Vector3d left_ear, nasion, right_ear;
+};
+
 struct Item {
   Kind kind = Kind::target;
   std::string name;
@@ -62,9 +67,10 @@ struct OtherFile {
   Space space = Space::ras;
   std::string space_words;  // the file's own words for it
   Form form = Form::any;
-  bool is_clock_utc = false;          // its times name UTC; else they name no zone
-  bool is_form_doubtful = false;      // the program that wrote it may have meant either form
-  std::optional<QformNumbers> image;  // the NIfTI that the file belongs to
+  bool is_clock_utc = false;              // its times name UTC; else they name no zone
+  bool is_form_doubtful = false;          // the program that wrote it may have meant either form
+  std::optional<QformNumbers> image;      // the NIfTI that the file belongs to
+  std::optional<HeadPoints> head_points;  // in the file's coordinates, which are then of no T1
   std::vector<Item> items;
   std::vector<std::string> notes;
 };
