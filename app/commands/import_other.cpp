@@ -1,10 +1,10 @@
 #include "commands/import_other.h"
 
 #include <cstdio>
+#include <fstream>
 #include <set>
 
 #include "facenav/core/error.h"
-#include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
 #include "json_output.h"
 
@@ -125,7 +125,12 @@ void addImportOtherOptions(CLI::App& verb, ImportOtherRequest& request) {
   verb.add_option("--by", request.order.by, "of another program's file: who imports, kept with the targets");
 }
 
-bool isOtherFile(const std::filesystem::path& file) { return readWholeFile(file).rfind("PK", 0) != 0; }
+bool isOtherFile(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) throw Error("file does not exist", file.string(), "check the path");
+  char start[2] = {};
+  std::ifstream(file, std::ios::binary).read(start, sizeof start);
+  return start[0] != 'P' || start[1] != 'K';
+}
 
 void importOtherFile(const Context& context, const std::filesystem::path& case_folder,
                      ImportOtherRequest request) {

@@ -16,7 +16,8 @@ struct ImportOtherRequest {
 
 /// Adds --dry-run, --space and what else only other programs' files need.
 void addImportOtherOptions(CLI::App& verb, ImportOtherRequest& request);
-/// True if the file is no archive: it then is one of another program, or unknown.
+/// True if the file is no archive: it then is one of another program, or unknown. Throws Error if there is
+/// none.
 bool isOtherFile(const std::filesystem::path& file);
 /// Prints what the file holds and takes it, or only prints. Throws Error as steps::importOther does.
 void importOtherFile(const Context& context, const std::filesystem::path& case_folder,
