@@ -171,7 +171,9 @@ OtherFile readBrainsight(const Source& source) {
   std::size_t header_cells = 0;
   std::vector<Item> items;
   int number = 0;
-  for (const auto& line : linesOf(source.content)) {
+  const auto lines = linesOf(source.content);
+  const bool is_open = source.content.back() != '\n';  // the end of the last line is missing
+  for (const auto& line : lines) {
     ++number;
     const std::string where = formatted("line %d", number);
     const auto cells = cellsOf(line, '\t');
@@ -196,7 +198,9 @@ OtherFile readBrainsight(const Source& source) {
             source.path, where,
             formatted("has %d cells, its section has %d columns", int(cells.size()), int(header_cells)));
     if (auto item = itemOf(section, columns, cells)) {
-      if (cells.size() < 4) refuseFile(source.path, where, "is cut short", "copy or export the file again");
+      const bool is_last = is_open && number == int(lines.size());
+      if (cells.size() < (is_last ? header_cells : 4))
+        refuseFile(source.path, where, "is cut short", "copy or export the file again");
       item->where = where;
       items.push_back(std::move(*item));
     }

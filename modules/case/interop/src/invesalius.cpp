@@ -51,6 +51,8 @@ constexpr const char* kNames[] = {"marker_id",
                                   "beta_world",
                                   "gamma_world"};
 
+constexpr const char* kNeeded[] = {"x", "y", "z", "alpha", "beta", "gamma", "label"};
+
 /// The image in RAS order, as InVesalius holds it.
 struct Image {
   volume::VoxelGrid grid;
@@ -189,7 +191,7 @@ OtherFile readInvesalius(const Source& source) {
   std::vector<std::string> names;
   for (const auto& cell : cellsOf(lines[1], '\t')) names.push_back(plain(cell));
   const Columns columns(names);
-  for (const char* needed : {"x", "y", "z", "alpha", "beta", "gamma", "label"})
+  for (const char* needed : kNeeded)
     if (!columns.has(needed))
       refuseFile(source.path, "line 2", "its column '" + std::string(needed) + "' is missing");
   const Image image(source.t1->grid);
@@ -199,8 +201,13 @@ OtherFile readInvesalius(const Source& source) {
   file.notes.push_back("its places are those of the image: taken as the case's T1");
   for (std::size_t i = 2; i < lines.size(); ++i) {
     if (trimmed(lines[i]).empty()) continue;
-    file.items.push_back(itemOf(columns, cellsOf(lines[i], '\t'), image));
-    file.items.back().where = formatted("line %d", int(i) + 1);
+    const auto cells = cellsOf(lines[i], '\t');
+    const std::string where = formatted("line %d", int(i) + 1);
+    for (const char* needed : kNeeded)
+      if (columns.index().at(needed) >= cells.size())
+        refuseFile(source.path, where, "is cut short", "copy or export it again");
+    file.items.push_back(itemOf(columns, cells, image));
+    file.items.back().where = where;
   }
   return file;
 }

@@ -91,6 +91,7 @@ OtherFile readOwnCsv(const Source& source) {
     if (trimmed(lines[i]).empty()) continue;
     const std::string where = formatted("line %d", int(i) + 1);
     const auto cells = csvCellsOf(lines[i]);
+    if (endsInQuotes(lines[i])) refuseFile(source.path, where, "is cut short", "copy or export it again");
     if (cells.size() != names.size())
       refuseFile(source.path, where,
                  formatted("has %d fields, the header %d", int(cells.size()), int(names.size())));

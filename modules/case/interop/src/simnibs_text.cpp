@@ -69,7 +69,7 @@ OtherFile readSimnibsCsv(const Source& source) {
     if (!isType(type))
       refuseFile(source.path, where,
                  "begins with '" + type.substr(0, 40) + "', which is no type of SimNIBS's");
-    if (cells.size() < (type == "CoilPos" ? 10u : 4u))
+    if (endsInQuotes(line) || cells.size() < (type == "CoilPos" ? 10u : 4u))
       refuseFile(source.path, where, "is cut short", "copy or export it again");
     Item item;
     if (type == "CoilPos") {

@@ -1,5 +1,6 @@
 #include "text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,8 @@ std::vector<std::string> csvCellsOf(const std::string& line) {
   }
   return cells;
 }
+
+bool endsInQuotes(const std::string& line) { return std::count(line.begin(), line.end(), '"') % 2 != 0; }
 
 std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(" \t\r\n");

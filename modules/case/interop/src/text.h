@@ -18,6 +18,8 @@ std::vector<std::string> linesOf(const std::string& content);
 std::vector<std::string> cellsOf(const std::string& line, char separator);
 /// Cells of a line of CSV: in double quotes, these doubled inside.
 std::vector<std::string> csvCellsOf(const std::string& line);
+/// True for a line of CSV that ends inside a quoted cell: it is cut short.
+bool endsInQuotes(const std::string& line);
 std::string trimmed(const std::string& text);
 bool startsWith(const std::string& text, const std::string& beginning);
 bool contains(const std::string& text, const std::string& word);

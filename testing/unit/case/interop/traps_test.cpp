@@ -186,6 +186,20 @@ TEST(Invesalius, OlderFilesTellTheKindByLabelAndOrientation) {
   EXPECT_EQ(itemNamed(file, "hot").kind, Kind::target);
 }
 
+/// Cut within the last line, where a reader could take what is left for a whole item.
+TEST(Formats, ALastLineThatIsCutShortIsRefused) {
+  const std::pair<const char*, std::size_t> kCuts[] = {{"brainsight_v12_targets.txt", 10},
+                                                       {"simnibs_positions.csv", 4},
+                                                       {"invesalius_v5.mkss", 190},
+                                                       {"slicer_first_pose.tfm", 30}};
+  for (const auto& [name, cut] : kCuts) {
+    const std::string content = readWholeFile(made(name));
+    EXPECT_THAT(refusalOf([&] { readCheckedText(content.substr(0, content.size() - cut), madeHead()); }),
+                HasSubstr("is cut short"))
+        << name;
+  }
+}
+
 TEST(Formats, KindsThatAreKnownAndNotReadAreNamed) {
   const auto refusal = [](const std::string& content) {
     return refusalOf([&] { readOtherText({content, "file", nullptr}); });
