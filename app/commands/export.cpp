@@ -1,5 +1,5 @@
-// facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs. CASE --as home -o FILE: the
-// case to take home.
+// facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs. CASE --as brainsight -o
+// FILE: targets and pulses for another navigator. CASE --as home -o FILE: the case to take home.
 
 #include <cstdio>
 
@@ -7,52 +7,107 @@
 #include "commands/home.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/standard_output.h"
+#include "facenav/plan/export_other.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
 
-void addExport(CLI::App& app, Context& context) {
-  auto* verb =
-      app.add_subcommand("export", "surfaces and masks of a case as files for other programs (RAS mm)");
-  struct ExportRequest {
-    std::filesystem::path case_folder, output;
-    std::vector<std::string> formats;
-    bool replace = false;
-    HomeExportRequest home;
-  };
-  auto request = std::make_shared<ExportRequest>();
-  verb->add_option("CASE", request->case_folder, "case folder")->required();
-  verb->add_option(
-          "--as", request->formats,
+namespace {
+
+struct ExportRequest {
+  std::filesystem::path case_folder, output;
+  std::vector<std::string> formats, targets;
+  std::string session;
+  bool replace = false;
+  HomeExportRequest home;
+};
+
+bool isOther(const std::string& name) {
+  for (const auto& format : interop::formats())
+    if (format.name == name) return true;
+  return false;
+}
+
+void requireOutput(const ExportRequest& request) {
+  if (request.output.empty()) throw CLI::RequiredError("--output");
+}
+
+void exportSurfaces(const Context& context, const casefile::CaseStore& store, const ExportRequest& request) {
+  requireOutput(request);
+  if (isStandardOutput(request.output))
+    throw WrongUsage("surfaces and masks are several files, not one for standard output", "name a folder");
+  std::vector<std::unique_ptr<casefile::Exporter>> exporters;  // checks all names before a file is written
+  for (const auto& format : request.formats)
+    exporters.push_back(context.registrations.exporters.create(format));
+  for (const auto& exporter : exporters)
+    for (const auto& path : exporter->write(store, request.output, request.replace, context.monitor))
+      if (!context.is_quiet) std::printf("%s\n", path.c_str());
+}
+
+void exportHome(Context& context, const casefile::CaseStore& store, ExportRequest& request) {
+  requireOutput(request);
+  if (request.targets.size() > 1) throw WrongUsage("a case goes home with one target");
+  request.home.target = request.targets.empty() ? "" : request.targets.front();
+  request.home.output = request.output;
+  request.home.replaces = request.replace;
+  exportHomeCase(context, store, request.home);
+}
+
+void exportOther(const Context& context, const casefile::CaseStore& store, const ExportRequest& request) {
+  if (request.formats.size() > 1)
+    throw WrongUsage("one format of another program at a time", "name one with --as");
+  const auto exported = steps::exportOther(
+      store, {request.formats.front(), request.targets, request.session, request.output, request.replace});
+  if (context.is_quiet) return;
+  for (const auto& note : exported.notes) std::printf("note: %s\n", note.c_str());
+  if (isStandardOutput(exported.path)) return;
+  std::printf("%s: %d targets", exported.path.c_str(), exported.targets);
+  if (exported.pulses > 0) std::printf(", %d pulses", exported.pulses);
+  std::printf("\n");
+}
+
+void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) {
+  verb.add_option("CASE", request.case_folder, "case folder")->required();
+  verb.add_option(
+          "--as", request.formats,
           "one or more of: " + steps::namesOf(context.registrations.exporters) +
+              "; or one for another program: " + interop::namesOfWritten() +
               "; or home: one file without MRI and name, with the face and the expert's pose, for use "
               "near home ('facenav import', 'facenav-gui --home')")
       ->required();
-  verb->add_option("-o,--output", request->output, "folder to write into; of home: the file")->required();
-  verb->add_option("--target", request->home.target,
-                   "of home: the expert's pose ('facenav target --from-session'); default: the only one");
-  verb->add_option(
-      "--coil", request->home.coil.words,
+  verb.add_option(
+      "-o,--output", request.output,
+      "folder to write surfaces into; else the file (for another program by default here, under its usual "
+      "name)");
+  verb.add_option("--target", request.targets,
+                  "for another program: this target alone (several times: these); of home: the expert's pose "
+                  "('facenav target --from-session'), by default the only one")
+      ->allow_extra_args(false);
+  verb.add_option("--session", request.session,
+                  "for another program: the pulses of this session; default: of all, if the file holds both");
+  verb.add_option(
+      "--coil", request.home.coil.words,
       "of home: the expert's coil, its name in the library or its coil.json; default: by its name");
-  addCoilLibraryOption(*verb, request->home.coil.library);
-  verb->add_option("--by", request->home.by,
-                   "of home: who releases it, kept in the file; default: \"clinic\"");
-  verb->add_flag("--replace", request->replace, "overwrite files of the same name");
+  addCoilLibraryOption(verb, request.home.coil.library);
+  verb.add_option("--by", request.home.by, "of home: who releases it, kept in the file; default: \"clinic\"");
+  verb.add_flag("--replace", request.replace, "overwrite files of the same name");
+}
+
+}  // namespace
+
+void addExport(CLI::App& app, Context& context) {
+  auto* verb =
+      app.add_subcommand("export",
+                         "surfaces and masks of a case as files for other programs (RAS mm); targets and "
+                         "pulses for other navigators; a case to take home");
+  auto request = std::make_shared<ExportRequest>();
+  addOptions(*verb, *request, context);
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->case_folder);
-    if (request->formats == std::vector<std::string>{"home"}) {
-      request->home.output = request->output;
-      request->home.replaces = request->replace;
-      return exportHomeCase(context, store, request->home);
-    }
-    if (isStandardOutput(request->output))
-      throw WrongUsage("surfaces and masks are several files, not one for standard output", "name a folder");
-    std::vector<std::unique_ptr<casefile::Exporter>> exporters;  // checks all names before a file is written
+    if (request->formats == std::vector<std::string>{"home"}) return exportHome(context, store, *request);
     for (const auto& format : request->formats)
-      exporters.push_back(context.registrations.exporters.create(format));
-    for (const auto& exporter : exporters)
-      for (const auto& path : exporter->write(store, request->output, request->replace, context.monitor))
-        if (!context.is_quiet) std::printf("%s\n", path.c_str());
+      if (isOther(format)) return exportOther(context, store, *request);
+    exportSurfaces(context, store, *request);
   });
 }
 

@@ -1,5 +1,5 @@
 // facenav face-case RECORDING -o CASE, facenav import CASE FILE, and `facenav export CASE --as home`: cases
-// that need no MRI.
+// that need no MRI. Files of other programs: import_other.h.
 
 #include "commands/home.h"
 
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "commands/import_other.h"
 #include "facenav/core/error.h"
 #include "facenav/core/standard_output.h"
 #include "facenav/home/returned_session.h"
@@ -74,6 +75,7 @@ namespace {
 struct ImportRequest {
   std::filesystem::path case_folder, file;
   bool is_json = false;
+  ImportOtherRequest other;
 };
 
 void importSession(const Context& context, const ImportRequest& request) {
@@ -113,14 +115,25 @@ void importCase(const Context& context, const ImportRequest& request) {
 void addImport(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "import",
-      "a file that the clinic gave for use at home -> case folder; or a session that came back from home "
-      "-> a session of the case, marked \"at home\"");
+      "a file of another navigator -> targets and sessions of the case; a file that the clinic gave for use "
+      "at home -> case folder; a session that came back from home -> a session of the case, marked \"at "
+      "home\"");
   auto request = std::make_shared<ImportRequest>();
-  verb->add_option("CASE", request->case_folder, "case folder to make, or to add the session to")->required();
-  verb->add_option("FILE", request->file, "file of 'facenav export --as home', or the one sent back")
+  verb->add_option("CASE", request->case_folder, "case folder to add to; of a file for home: to make")
+      ->required();
+  verb->add_option(
+          "FILE", request->file,
+          "file of another program, known by its content; or of 'facenav export --as home', or the one "
+          "sent back")
       ->required();
   verb->add_flag("--json", request->is_json, "JSON");
+  addImportOtherOptions(*verb, request->other);
   verb->callback([&context, request] {
+    if (isOtherFile(request->file)) {
+      request->other.order.file = request->file;
+      request->other.is_json = request->is_json;
+      return importOtherFile(context, request->case_folder, request->other);
+    }
     steps::isReturnedFile(request->file) ? importSession(context, *request) : importCase(context, *request);
   });
 }

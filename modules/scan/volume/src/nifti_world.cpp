@@ -79,14 +79,6 @@ std::string spaceOf(int code) {
   return code >= 0 && code < 6 ? kSpaces[code] : "code " + std::to_string(code);
 }
 
-/// Converts lengths from the header's unit to mm; an unknown unit is taken as mm, as other programs do.
-Eigen::Affine3d inMillimetres(Eigen::Affine3d affine, int units) {
-  const double scale = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
-  affine.linear() *= scale;
-  affine.translation() *= scale;
-  return affine;
-}
-
 double largestDistance_mm(const VoxelGrid& a, const VoxelGrid& b) {
   double worst_mm = 0;
   for (int c = 0; c < 8; ++c) {
@@ -112,6 +104,14 @@ std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
 
 }  // namespace
 
+Eigen::Affine3d formOf(const mat44& form, int units) {
+  Eigen::Affine3d affine = toAffine(form);
+  const double scale = units == NIFTI_UNITS_METER ? 1e3 : units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
+  affine.linear() *= scale;
+  affine.translation() *= scale;
+  return affine;
+}
+
 WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::string& where) {
   constexpr double kAgreement_mm = 0.1;
   const bool has_sform = image.sform_code > 0, has_qform = image.qform_code > 0;
@@ -125,8 +125,8 @@ WorldMap chooseMap(const nifti_image& image, NiftiTransform choice, const std::s
     throw Error("has no " + map.name, where, std::string("choose the ") + (is_sform ? "qform" : "sform"));
   VoxelGrid sform, qform;
   sform.size = qform.size = {image.nx, image.ny, image.nz};
-  sform.mri_from_voxel = inMillimetres(toAffine(image.sto_xyz), image.xyz_units);
-  qform.mri_from_voxel = inMillimetres(toAffine(image.qto_xyz), image.xyz_units);
+  sform.mri_from_voxel = formOf(image.sto_xyz, image.xyz_units);
+  qform.mri_from_voxel = formOf(image.qto_xyz, image.xyz_units);
   const int code = is_sform ? image.sform_code : image.qform_code;
   map.is_template_space = code >= NIFTI_XFORM_TALAIRACH;
   map.grid = is_sform ? sform : qform;

@@ -18,6 +18,10 @@ struct WorldMap {
   std::optional<std::string> warning;
 };
 
+/// A form of the header as a map from voxels to the world, mm. `units`: the header's unit of length; an
+/// unknown one is taken as mm, as other programs do.
+Eigen::Affine3d formOf(const mat44& form, int units);
+
 /// Chooses the map; automatic takes the sform if its code is > 0, else the qform. Lengths in metres or
 /// micrometres become mm. where: the file's name, for messages. Throws Error: no map, the requested map is
 /// absent, singular or sheared axes.

@@ -12,14 +12,11 @@
 #include "facenav/core/utc_time.h"
 #include "facenav/geometry/median_pose.h"
 #include "facenav/geometry/rotation.h"
-#include "facenav/guidance/mep_map.h"
 #include "facenav/plan/plan_edits.h"
+#include "facenav/plan/pose_target.h"
 
 namespace facenav::steps {
 namespace {
-
-/// Depth of the cortex below the coil's centre if no model of the brain gives it.
-constexpr double kUsualCortexDepth_mm = 25;
 
 using ExpertPulses = std::vector<const casefile::Pulse*>;
 
@@ -139,11 +136,9 @@ Point<Mri> alongAxis(const RigidTransform<Mri, Coil>& mri_T_coil, double mm) {
 /// Point where the axis meets the brain; else at the depth of the session's target, or the usual one.
 Point<Mri> cortexOn(const casefile::CaseStore& store, const RigidTransform<Mri, Coil>& mri_T_coil,
                     const casefile::Pulse& pulse) {
-  if (const auto brain = store.brain())
-    if (const auto met = guidance::axisOnSurface(brain->mesh, mri_T_coil)) return *met;
-  double depth_mm = kUsualCortexDepth_mm;
+  std::optional<double> depth_mm;
   if (pulse.target) depth_mm = (mri_T_coil.inverse() * pulse.target->cortex_point).mm.z();
-  return alongAxis(mri_T_coil, depth_mm);
+  return cortexOnAxis(store, mri_T_coil, depth_mm);
 }
 
 double predictedErrorOf(const ExpertPulses& pulses) {

@@ -1,0 +1,157 @@
+#include "commands/import_other.h"
+
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include "facenav/core/error.h"
+#include "facenav/geometry/json_transform.h"
+#include "json_output.h"
+
+namespace facenav::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using interop::Kind;
+
+Json threeOf(const Point<Mri>& p) { return rowMajor(p); }
+
+Json jsonOf(const steps::PreviewedItem& previewed) {
+  const auto& item = previewed.item;
+  Json json{{"kind", toString(item.kind)},
+            {"name", item.name},
+            {"where", item.where},
+            {"fate", toString(previewed.fate)}};
+  if (!previewed.reason.empty()) json["reason"] = previewed.reason;
+  if (item.mri_T_coil)
+    json["mri_T_coil"] = rowMajor(*item.mri_T_coil);
+  else
+    json["mri_T_coil"] = nullptr;
+  if (item.mri_place) json["place_mm"] = threeOf(*item.mri_place);
+  if (!item.time.empty()) json["time"] = item.time;
+  if (!item.target.empty()) json["target"] = item.target;
+  if (!item.session.empty()) json["session"] = item.session;
+  if (item.intensity_pct) json["intensity_pct"] = *item.intensity_pct;
+  if (item.didt_a_per_us) json["didt_a_per_us"] = *item.didt_a_per_us;
+  if (item.mep_uv) json["mep_uv"] = *item.mep_uv;
+  if (!item.values.empty()) json["values"] = item.values;
+  if (!item.notes.empty()) json["notes"] = item.notes;
+  return json;
+}
+
+/// Options that the reasons name: what only a person knows.
+Json asksOf(const steps::ImportPreview& preview) {
+  std::set<std::string> options;
+  for (const auto& item : preview.items)
+    for (std::size_t at = 0; (at = item.reason.find(" --", at)) != std::string::npos;) {
+      const auto end = item.reason.find_first_of(" ,:;)", ++at);
+      options.insert(item.reason.substr(at, end - at));
+    }
+  return options;
+}
+
+Json jsonOf(const steps::ImportPreview& preview) {
+  Json items = Json::array();
+  for (const auto& item : preview.items) items.push_back(jsonOf(item));
+  return {{"format", preview.file.format},
+          {"file", preview.file.words},
+          {"space", toString(preview.file.space)},
+          {"space_in_file", preview.file.space_words},
+          {"refused", preview.count(steps::ItemFate::refused)},
+          {"refusal", preview.refusal()},
+          {"asks", asksOf(preview)},
+          {"notes", preview.file.notes},
+          {"items", items}};
+}
+
+void print(const steps::ImportPreview& preview) {
+  std::printf("%s\n", preview.file.words.c_str());
+  for (const auto& note : preview.file.notes) std::printf("note: %s\n", note.c_str());
+  for (const auto& [item, fate, reason] : preview.items) {
+    std::printf("%-9s %-9s '%s'", toString(fate).c_str(), toString(item.kind).c_str(), item.name.c_str());
+    if (item.mri_T_coil) {
+      const auto p = item.mri_T_coil->translation_mm();
+      std::printf("  %.1f %.1f %.1f mm", p.x(), p.y(), p.z());
+    }
+    if (!item.time.empty()) std::printf("  %s", item.time.c_str());
+    std::printf(reason.empty() ? "\n" : ": %s\n", reason.c_str());
+    for (const auto& note : item.notes) std::printf("          note: %s\n", note.c_str());
+  }
+}
+
+Json jsonOf(const steps::ImportedItems& imported) {
+  Json sessions = Json::array();
+  for (const auto& folder : imported.sessions) sessions.push_back(folder.filename().string());
+  return {{"targets", imported.targets}, {"pulses", imported.pulses}, {"sessions", sessions}};
+}
+
+void printSummary(const steps::ImportedItems& imported, const steps::ImportPreview& preview) {
+  std::printf("%d targets added", imported.targets);
+  if (const int same = preview.count(steps::ItemFate::unchanged)) std::printf(", %d there already", same);
+  for (const auto& folder : imported.sessions) std::printf("; session %s", folder.filename().c_str());
+  if (imported.pulses > 0) std::printf(" with %d pulses", imported.pulses);
+  std::printf("\n");
+}
+
+void answer(ImportOtherRequest& request) {
+  auto& answers = request.order.answers;
+  if (!request.space.empty())
+    answers.space = request.space == "lps" ? interop::Space::lps : interop::Space::ras;
+  if (!request.form.empty())
+    answers.form = request.form == "qform" ? interop::Form::qform : interop::Form::sform;
+}
+
+}  // namespace
+
+void addImportOtherOptions(CLI::App& verb, ImportOtherRequest& request) {
+  verb.add_flag("--dry-run", request.is_dry_run,
+                "of another program's file: prints what would come in; writes nothing");
+  verb.add_option("--space", request.space,
+                  "of another program's file: its coordinates, where it does not say")
+      ->check(CLI::IsMember({"ras", "lps"}));
+  verb.add_option("--form", request.form,
+                  "of another program's file: the form of the T1's NIfTI that it means")
+      ->check(CLI::IsMember({"sform", "qform"}));
+  verb.add_option("--t1", request.order.t1, "of another program's file: the NIfTI that the program used");
+  verb.add_flag("--flip-handle", request.order.answers.flips_handle,
+                "of another program's file: its handle points the other way");
+  verb.add_option("--utc-offset", request.order.utc_offset_h,
+                  "of another program's file: hours that its clock is ahead of UTC; default 0")
+      ->check(CLI::Range(-14.0, 14.0));
+  verb.add_flag("--replace", request.order.replaces,
+                "of another program's file: replaces targets of the same name");
+  verb.add_flag("--skip-refused", request.order.skips_refused,
+                "of another program's file: takes what is not refused");
+  verb.add_option("--by", request.order.by, "of another program's file: who imports, kept with the targets");
+}
+
+bool isOtherFile(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) throw Error("file does not exist", file.string(), "check the path");
+  char start[2] = {};
+  std::ifstream(file, std::ios::binary).read(start, sizeof start);
+  return start[0] != 'P' || start[1] != 'K';
+}
+
+void importOtherFile(const Context& context, const std::filesystem::path& case_folder,
+                     ImportOtherRequest request) {
+  answer(request);
+  const auto store = casefile::CaseStore::open(case_folder);
+  const auto preview = steps::previewImport(store, request.order);
+  const bool is_refused = !request.order.skips_refused && preview.count(steps::ItemFate::refused) > 0;
+  Json json = jsonOf(preview);
+  if (!request.is_json && request.is_dry_run) print(preview);
+  if (is_refused || request.is_dry_run) {
+    json["imported"] = nullptr;
+    if (request.is_json) printJson(json);
+    if (is_refused) throw Error(preview.refusal(), request.order.file.string(), "nothing was imported");
+    return;
+  }
+  const auto imported = steps::importOther(store, request.order, preview);
+  json["imported"] = jsonOf(imported);
+  if (request.is_json) return printJson(json);
+  if (context.is_quiet) return;
+  print(preview);
+  printSummary(imported, preview);
+}
+
+}  // namespace facenav::app

@@ -1,0 +1,33 @@
+#include "facenav/volume/nifti_forms.h"
+
+#include <nifti1_io.h>
+
+#include <memory>
+
+#include "facenav/core/error.h"
+#include "nifti_world.h"
+
+namespace facenav::volume {
+
+NiftiForms readNiftiForms(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw Error("file does not exist", path.string(), "check the path");
+  nifti_set_debug_level(0);
+  const std::unique_ptr<nifti_image, void (*)(nifti_image*)> image(
+      is_nifti_file(path.c_str()) < 0 ? nullptr : nifti_image_read(path.c_str(), 0), nifti_image_free);
+  if (!image) throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
+  if (image->nx < 1 || image->ny < 1 || image->nz < 1)
+    throw Error("holds no 3-D volume", path.string(), "choose the T1");
+  const WorldMap map = chooseMap(*image, NiftiTransform::automatic, path.string());
+  NiftiForms forms;
+  forms.grid = map.grid;
+  forms.used = map.name;
+  if (image->sform_code > 0) forms.sform = formOf(image->sto_xyz, image->xyz_units);
+  if (image->qform_code > 0) forms.qform = formOf(image->qto_xyz, image->xyz_units);
+  forms.quatern = {image->quatern_b, image->quatern_c, image->quatern_d};
+  forms.offset = {image->qoffset_x, image->qoffset_y, image->qoffset_z};
+  forms.pixdim = {image->qfac < 0 ? -1.0 : 1.0, image->dx, image->dy, image->dz};
+  return forms;
+}
+
+}  // namespace facenav::volume

@@ -1,0 +1,62 @@
+#pragma once
+// PLAN: takes targets and pulses from a file of another program (interop). First a preview, which says of
+// every item what would become of it; then all of it is written, or nothing.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/casefile/case_store.h"
+#include "facenav/interop/check.h"
+
+namespace facenav::steps {
+
+struct OtherImport {
+  std::filesystem::path file;
+  interop::Answers answers;
+  std::filesystem::path t1;    // NIfTI that the other program used; empty: not named
+  double utc_offset_h = 0;     // of the file's clock
+  bool replaces = false;       // targets of the same name with another pose
+  bool skips_refused = false;  // takes the rest
+  std::string by;              // who imports; may be empty
+};
+
+/// What becomes of an item. listed: it is shown and not kept (landmarks, electrodes, targets without a pose).
+enum class ItemFate { added, replaced, unchanged, listed, refused };
+/// Returns "added", "replaced", ..
+std::string toString(ItemFate fate);
+
+struct PreviewedItem {
+  interop::Item item;
+  ItemFate fate = ItemFate::listed;
+  std::string reason;  // why it is refused or only listed
+};
+
+struct ImportPreview {
+  interop::OtherFile file;  // its items stand in `items`
+  std::vector<PreviewedItem> items;
+  int count(ItemFate fate) const;
+  int pulses() const;  // that would be kept
+  /// One line that names the first refused item, why, and how many more; empty if none is refused.
+  std::string refusal() const;
+};
+
+/// Reads the file and judges it against the case. Throws Error: no such file, unknown or damaged, or a case
+/// without an MRI.
+ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order);
+
+struct ImportedItems {
+  int targets = 0;  // added or replaced
+  int pulses = 0;
+  std::vector<std::filesystem::path> sessions;
+};
+/// Writes what the preview says, all or nothing. Throws Error with the preview's refusal if an item is
+/// refused and not skipped.
+ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& order,
+                          const ImportPreview& preview);
+
+/// The case as items are judged by it. Throws Error for a case without an MRI.
+interop::CaseHead caseHead(const casefile::CaseStore& store);
+
+}  // namespace facenav::steps

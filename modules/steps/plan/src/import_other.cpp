@@ -1,0 +1,248 @@
+#include "facenav/plan/import_other.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "facenav/casefile/landmarks_file.h"
+#include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
+#include "facenav/core/plain_words.h"
+#include "facenav/core/utc_time.h"
+#include "facenav/geometry/pose_error.h"
+#include "facenav/interop/formats.h"
+#include "facenav/plan/plan_edits.h"
+#include "facenav/plan/pose_target.h"
+#include "facenav/volume/nifti.h"
+#include "imported_session.h"
+
+namespace facenav::steps {
+namespace {
+
+using interop::Item;
+using interop::Kind;
+
+/// Differences below them come from the digits of a file.
+constexpr double kSame_mm = 0.05, kSame_deg = 0.05;
+constexpr double kSameImage = 0.95;  // least correlation of an image with a copy that was rounded or scaled
+constexpr std::size_t kSkinPoints = 4000;  // of the skin, to judge poses by: some mm apart
+
+std::string originOf(const OtherImport& order, const interop::OtherFile& file) {
+  return order.file.filename().string() + " (" + file.words + ")";
+}
+
+bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>& pose) {
+  const auto error = poseError(target.mri_T_target.reframe<Mri, Coil>(), pose);
+  return error.translation_mm < kSame_mm && error.rotation_rad * kDegPerRad < kSame_deg;
+}
+
+/// A name that no other item of the file has: the second "M1" becomes "M1 (2)".
+void makeNameSingle(Item& item, std::set<std::string>& names) {
+  const std::string name = item.name;
+  for (int count = 2; !names.insert(item.name).second; ++count) item.name = name + formatted(" (%d)", count);
+  if (item.name != name) item.notes.push_back("the file has the name '" + name + "' twice");
+}
+
+void judgeTarget(PreviewedItem& previewed, const guidance::TreatmentPlan& plan, bool replaces) {
+  const Item& item = previewed.item;
+  const auto refuse = [&](const std::string& why) {
+    previewed.fate = ItemFate::refused;
+    previewed.reason = why;
+  };
+  if (!item.mri_T_coil) {
+    previewed.fate = ItemFate::listed;
+    previewed.reason = item.reason.empty() ? "no pose" : item.reason;
+    return;
+  }
+  if (const std::string fault = faultOfWords(item.name, kLongestName); !fault.empty())
+    return refuse("its name " + fault);
+  const auto* old = find(plan, item.name);
+  previewed.fate = old ? ItemFate::replaced : ItemFate::added;
+  if (!old) return;
+  if (isSamePose(*old, *item.mri_T_coil))
+    previewed.fate = ItemFate::unchanged;
+  else if (old->is_locked)
+    refuse("the case has a target of this name, and it is locked");
+  else if (!replaces)
+    refuse("the case has a target of this name with another pose: give --replace, or rename it");
+}
+
+PreviewedItem judged(const Item& item, const guidance::TreatmentPlan& plan, bool replaces) {
+  PreviewedItem previewed;
+  previewed.item = item;
+  if (!item.refusal.empty()) {
+    previewed.fate = ItemFate::refused;
+    previewed.reason = item.refusal;
+  } else if (item.kind == Kind::target) {
+    judgeTarget(previewed, plan, replaces);
+  } else if (item.kind == Kind::pulse && !item.mri_place) {
+    previewed.fate = ItemFate::added;
+    if (!item.mri_T_coil) previewed.reason = item.reason;
+  } else {
+    previewed.reason =
+        item.reason.empty() ? "a place only; facenav target makes a target there" : item.reason;
+  }
+  return previewed;
+}
+
+/// Throws Error unless the NIfTI that the user named holds the case's image, in whatever world and order.
+void requireSameImage(const casefile::CaseStore& store, const interop::T1& theirs, const interop::T1& ours) {
+  const auto their_grid = interop::canonical(theirs.grid), our_grid = interop::canonical(ours.grid);
+  if (their_grid.size != our_grid.size || their_grid.matches(our_grid)) return;  // check() says the first
+  const auto a = volume::readNifti(theirs.path).volume, b = store.mri();
+  constexpr double kSteps = 25;
+  double n = 0, sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
+  for (double i = 0; i < kSteps; ++i)
+    for (double j = 0; j < kSteps; ++j)
+      for (double k = 0; k < kSteps; ++k) {
+        const Eigen::Vector3d part = Eigen::Vector3d(i, j, k) / (kSteps - 1);
+        const Eigen::Vector3d ijk(std::round(part.x() * (our_grid.size[0] - 1)),
+                                  std::round(part.y() * (our_grid.size[1] - 1)),
+                                  std::round(part.z() * (our_grid.size[2] - 1)));
+        const double x = volume::sampleLinear(a, a.grid.toVoxel(their_grid.toMri(ijk))),
+                     y = volume::sampleLinear(b, b.grid.toVoxel(our_grid.toMri(ijk)));
+        n += 1, sum_a += x, sum_b += y, aa += x * x, bb += y * y, ab += x * y;
+      }
+  const double variance = (aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n);
+  if (variance > 0 && ab - sum_a * sum_b / n > kSameImage * std::sqrt(variance)) return;
+  throw Error("is not the case's T1: its voxels hold another image", theirs.path.string(),
+              "name the T1 that the case was prepared from");
+}
+
+guidance::Target targetOf(const casefile::CaseStore& store, const surface::ScalpSurface& scalp,
+                          const Item& item, const OtherImport& order, const interop::OtherFile& file) {
+  guidance::Target target;
+  target.name = item.name;
+  target.mri_T_target = item.mri_T_coil->reframe<Mri, frames::Target>();
+  target.cortex_point =
+      item.cortex_point_mm ? Point<Mri>(*item.cortex_point_mm) : cortexOnAxis(store, *item.mri_T_coil);
+  target.scalp_point =
+      item.scalp_point_mm ? Point<Mri>(*item.scalp_point_mm) : skinOnAxis(scalp, *item.mri_T_coil);
+  target.note = "from " + originOf(order, file);
+  target.changes = {
+      {isoUtc(std::chrono::system_clock::now()), order.by, "imported from " + originOf(order, file)}};
+  return target;
+}
+
+guidance::TreatmentPlan planWith(const casefile::CaseStore& store, const OtherImport& order,
+                                 const ImportPreview& preview, int& count) {
+  auto plan = store.targets();
+  std::optional<surface::ScalpSurface> scalp;
+  for (const auto& [item, fate, reason] : preview.items) {
+    if (item.kind != Kind::target || (fate != ItemFate::added && fate != ItemFate::replaced)) continue;
+    if (!scalp) scalp = store.scalp();
+    const auto target = targetOf(store, *scalp, item, order, preview.file);
+    guidance::requireSound(target);
+    plan = with(std::move(plan), item.name, target);
+    ++count;
+  }
+  return plan;
+}
+
+void noteClock(const OtherImport& order, ImportPreview& preview) {
+  if (preview.pulses() == 0 || preview.file.is_clock_utc) return;
+  preview.file.notes.push_back(
+      formatted("the times of its pulses name no zone: taken as UTC%+g (--utc-offset)", order.utc_offset_h));
+}
+
+}  // namespace
+
+std::string toString(ItemFate fate) {
+  constexpr const char* kWords[] = {"added", "replaced", "unchanged", "listed", "refused"};
+  return kWords[int(fate)];
+}
+
+int ImportPreview::count(ItemFate fate) const {
+  return int(std::count_if(items.begin(), items.end(), [&](const auto& item) { return item.fate == fate; }));
+}
+
+int ImportPreview::pulses() const {
+  return int(std::count_if(items.begin(), items.end(), [](const auto& item) {
+    return item.item.kind == Kind::pulse && item.fate == ItemFate::added;
+  }));
+}
+
+std::string ImportPreview::refusal() const {
+  const int refused = count(ItemFate::refused);
+  for (const auto& item : items) {
+    if (item.fate != ItemFate::refused) continue;
+    std::string line =
+        toString(item.item.kind) + " '" + item.item.name + "' (" + item.item.where + "): " + item.reason;
+    if (refused > 1) line += formatted("; and %d more", refused - 1);
+    return line;
+  }
+  return {};
+}
+
+interop::CaseHead caseHead(const casefile::CaseStore& store) {
+  if (!store.hasMri())
+    throw Error("the case has no MRI, to which other programs' coordinates refer", store.folder().string());
+  interop::CaseHead head;
+  head.t1 = interop::readT1(store.folder() / "mri.nii.gz");
+  const auto& vertices = store.scalp().mesh.vertices_mm;
+  head.centre_mm = head.t1.grid.centre().mm;
+  if (!vertices.empty()) {
+    Eigen::Vector3d low = vertices.front(), high = low;
+    for (const auto& v : vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+    head.centre_mm = (low + high) / 2;
+  }
+  if (const auto landmarks = casefile::readLandmarks(store.folder())) {
+    const auto &left = (*landmarks)[surface::Landmark::tragus_left],
+               &nasion = (*landmarks)[surface::Landmark::nasion],
+               &right = (*landmarks)[surface::Landmark::tragus_right];
+    if (left && nasion && right)
+      head.points = interop::HeadPoints{left->point.mm, nasion->point.mm, right->point.mm};
+  }
+  const std::size_t step = std::max<std::size_t>(1, vertices.size() / kSkinPoints);
+  for (std::size_t i = 0; i < vertices.size(); i += step) head.skin_mm.push_back(vertices[i]);
+  for (const auto& finding : store.findings()) {  // the words of volume::readNifti
+    if (finding.find("sform and qform ") == std::string::npos) continue;
+    if (finding.find("the sform is used") != std::string::npos) head.used_of_two = interop::Form::sform;
+    if (finding.find("the qform is used") != std::string::npos) head.used_of_two = interop::Form::qform;
+  }
+  return head;
+}
+
+ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order) {
+  const auto head = caseHead(store);
+  std::optional<interop::T1> file_t1;
+  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
+  if (file_t1) requireSameImage(store, *file_t1, head.t1);
+  ImportPreview preview;
+  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
+  interop::check(preview.file, head, order.answers, file_t1);
+  const auto plan = store.targets();
+  std::set<std::string> names;
+  for (auto& item : preview.file.items) {
+    if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
+    preview.items.push_back(judged(item, plan, order.replaces));
+  }
+  preview.file.items.clear();
+  noteClock(order, preview);
+  return preview;
+}
+
+ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& order,
+                          const ImportPreview& preview) {
+  if (!order.skips_refused && preview.count(ItemFate::refused) > 0)
+    throw Error(preview.refusal(), order.file.string(), "nothing was imported");
+  ImportedItems imported;
+  const auto before = store.targets();
+  const auto plan = planWith(store, order, preview, imported.targets);
+  auto sessions = newSessions(store, order, preview, plan);
+  if (imported.targets > 0) store.setTargets(plan);
+  try {
+    for (auto& session : sessions) {
+      session.whole->commit();
+      imported.sessions.push_back(session.folder);
+      imported.pulses += session.pulses;
+    }
+  } catch (...) {
+    for (const auto& folder : imported.sessions) std::filesystem::remove_all(folder);
+    if (imported.targets > 0) store.setTargets(before);
+    throw;
+  }
+  return imported;
+}
+
+}  // namespace facenav::steps

@@ -1,0 +1,25 @@
+#pragma once
+// Sessions made of another program's pulses.
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "facenav/core/whole_folder.h"
+#include "facenav/plan/import_other.h"
+
+namespace facenav::steps {
+
+/// A session folder that is written and not yet visible.
+struct NewSession {
+  std::filesystem::path folder;
+  std::unique_ptr<WholeFolder> whole;
+  int pulses = 0;
+};
+
+/// Writes a session for each session of the file. Throws Error; nothing is visible before the folders are
+/// committed. A session that was imported before from the same file is left out.
+std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
+                                    const ImportPreview& preview, const guidance::TreatmentPlan& plan);
+
+}  // namespace facenav::steps
