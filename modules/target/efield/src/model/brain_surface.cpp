@@ -22,47 +22,44 @@ constexpr double kAimedFluid_mm = 2.0;  // the brain is cut where it comes neare
 constexpr double kPlainPart = 1.0 / 3;  // of the brain's height, from below, that gets no sulci
 constexpr double kClosing_mm = 8.0;     // there
 constexpr double kDeepest_mm = 28.0;  // below the inner skull no sulcus is followed: the field is small there
-constexpr int kSmoothing = 3;         // passes; 1.2 mm
+constexpr double kSeam_mm = 3.0;
+constexpr double kBlur_mm = 2.0;  // of the edge between brain and fluid
+constexpr int kSmoothing = 3;     // passes; 1.2 mm
 constexpr double kCoarser = 1.04;
 constexpr int kPushSteps = 6;
 
 const char* const kPrepareAgain = "correct the brain mask, or prepare the case again";
 
-/// Sets what closing adds in the lower part of the brain.
-void closeBelow(volume::Mask& brain) {
+/// The voxels that are to be brain although they lie outside the cortex: holes, deep places, and what closing
+/// adds in the lower part. With a margin in the brain, so that no seam is left.
+volume::Mask filledPlaces(const volume::Mask& brain, const volume::Mask& skull) {
   const auto& size = brain.grid.size;
-  int lowest = size[2], highest = 0;
-  for (std::size_t v = 0; v < brain.voxels.size(); ++v) {
-    if (!brain.voxels[v]) continue;
-    const int k = int(v / (std::size_t(size[0]) * std::size_t(size[1])));
-    lowest = std::min(lowest, k), highest = std::max(highest, k);
-  }
-  const volume::Mask closed = volume::close(brain, kClosing_mm);
-  const std::size_t count = std::size_t(size[0]) * std::size_t(size[1]) *
-                            std::size_t(std::max(0.0, lowest + kPlainPart * (highest - lowest)));
-  for (std::size_t v = 0; v < std::min(count, closed.voxels.size()); ++v) brain.voxels[v] |= closed.voxels[v];
-}
-
-volume::Volume shareOf(const volume::Mask& mask) {
-  volume::Volume share;
-  share.grid = mask.grid;
-  share.voxels.assign(mask.voxels.begin(), mask.voxels.end());
-  for (int pass = 0; pass < kSmoothing; ++pass) share = volume::smoothed(std::move(share));
-  return share;
+  const std::size_t slice = std::size_t(size[0]) * std::size_t(size[1]);
+  const auto first = std::find(brain.voxels.begin(), brain.voxels.end(), 1) - brain.voxels.begin();
+  const auto last = std::find(brain.voxels.rbegin(), brain.voxels.rend(), 1).base() - brain.voxels.begin();
+  const double lowest = double(std::size_t(first) / slice), highest = double(std::size_t(last) / slice);
+  volume::Mask filled = volume::close(brain, kClosing_mm);
+  const std::size_t plain = slice * std::size_t(lowest + kPlainPart * (highest - lowest));
+  std::copy(brain.voxels.begin() + long(plain), brain.voxels.end(), filled.voxels.begin() + long(plain));
+  filled = volume::fillHoles(volume::unionOf(filled, volume::erode(skull, kDeepest_mm)));
+  volume::Mask added = filled;
+  for (std::size_t v = 0; v < added.voxels.size(); ++v)
+    added.voxels[v] = filled.voxels[v] && !brain.voxels[v];
+  return volume::intersection(filled, volume::dilate(added, kSeam_mm));
 }
 
 /// Share of brain at each place, smooth, with room for the fluid below the inner skull.
 volume::Volume brainShare(const surface::TriangleMesh& cortex, const ShellMesh& inner_skull) {
-  const surface::TriangleMesh skull = triangleMesh(inner_skull);
-  const volume::VoxelGrid grid = gridAround(skull, kSpacing_mm, 12.0);
-  volume::Mask brain = solidMask(cortex, grid);
-  brain = volume::fillHoles(volume::largestPart(brain));
+  const surface::TriangleMesh skull_mesh = triangleMesh(inner_skull);
+  const volume::VoxelGrid grid = gridAround(skull_mesh, kSpacing_mm, 12.0);
+  const volume::Mask brain = solidMask(cortex, grid), skull = solidMask(skull_mesh, grid);
   if (brain.volume_ml() <= 0) throw Error("the case's cortex lies outside the brain mask", {}, kPrepareAgain);
-  closeBelow(brain);
-  const volume::Mask skull_mask = solidMask(skull, grid);
-  brain = volume::fillHoles(volume::unionOf(brain, volume::erode(skull_mask, kDeepest_mm)));
-  volume::Volume share = shareOf(brain);
-  const volume::Volume room = shareOf(volume::erode(skull_mask, kAimedFluid_mm));
+  volume::Volume share = solidShare(cortex, brain, 0, kBlur_mm);
+  const volume::Mask filled = filledPlaces(brain, skull);
+  for (std::size_t v = 0; v < share.voxels.size(); ++v)
+    share.voxels[v] = std::max(share.voxels[v], float(filled.voxels[v]));
+  for (int pass = 0; pass < kSmoothing; ++pass) share = volume::smoothed(std::move(share));
+  const volume::Volume room = solidShare(skull_mesh, skull, kAimedFluid_mm, kBlur_mm);
   for (std::size_t v = 0; v < share.voxels.size(); ++v)
     share.voxels[v] = std::min(share.voxels[v], room.voxels[v]);
   return share;

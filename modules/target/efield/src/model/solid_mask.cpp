@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "facenav/core/parallel_for.h"
+#include "facenav/surface/closest_point.h"
+#include "facenav/volume/mask_morphology.h"
 
 namespace facenav::efield {
 namespace {
@@ -59,6 +64,31 @@ volume::Mask solidMask(const surface::TriangleMesh& mesh, const volume::VoxelGri
       for (int i = 1; i < grid.size[0]; ++i)
         solid.voxels[grid.index(i, j, k)] ^= solid.voxels[grid.index(i - 1, j, k)];
   return solid;
+}
+
+volume::Volume solidShare(const surface::TriangleMesh& mesh, const volume::Mask& solid, double depth_mm,
+                          double blur_mm) {
+  volume::Volume share;
+  share.grid = solid.grid;
+  share.voxels.assign(solid.voxels.begin(), solid.voxels.end());
+  const std::vector<float> outside_mm = volume::distanceTo(solid), inside_mm = volume::depthWithin(solid);
+  const auto& size = solid.grid.size;
+  const double near_mm = blur_mm + depth_mm + solid.grid.spacing_mm().maxCoeff();
+  const surface::ClosestPoint surface(mesh);
+  parallelRanges(0, size[2], [&](int begin, int end) {
+    std::optional<int> near;
+    for (int k = begin; k < end; ++k)
+      for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i) {
+          const std::size_t v = solid.grid.index(i, j, k);
+          if (std::max(outside_mm[v], inside_mm[v]) > near_mm) continue;
+          const auto place = surface.nearest(solid.grid.toMri(Vector3d(i, j, k)), near);
+          near = place.triangle;
+          const double here_mm = solid.voxels[v] ? place.distance_mm : -place.distance_mm;
+          share.voxels[v] = float(std::clamp(0.5 + 0.5 * (here_mm - depth_mm) / blur_mm, 0.0, 1.0));
+        }
+  });
+  return share;
 }
 
 }  // namespace facenav::efield

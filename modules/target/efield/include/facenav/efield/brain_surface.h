@@ -12,7 +12,7 @@ constexpr double kLeastFluid_mm = 1.0;  // between the brain and the inner skull
 
 struct BrainSurfaceOptions {
   int most_vertices = 14000;  // the equations' memory and time grow with its square and cube
-  double finest_mm = 3.0;     // edge of the cells that hold one vertex each
+  double finest_mm = 2.5;     // edge of the cells that hold one vertex each
 };
 
 /// Builds the surface from the cortex (closed, outwards) within the inner skull. The lower third of the brain
