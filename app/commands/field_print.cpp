@@ -90,6 +90,11 @@ void printExtras(const FieldReport& report) {
         "             planned %.3f V/m at 1 A/us (%+.0f %%); %d poses in %.1f s; the plan stays as it is\n",
         best->planned, 100 * (best->best / best->planned - 1), best->poses, report.best_s);
   }
+  if (const auto& change = report.without_fluid)
+    std::printf(
+        "by the fluid the field changes by %.0f %% against tier 1; maximum %.2f of that one, %.1f mm from "
+        "it\n",
+        100 * change->relative_error, change->peak_ratio, change->peak_shift_mm);
   if (const auto& compared = report.comparison) {
     std::printf(
         "compared     %d points: relative error %.1f %%, maximum %.2f of the imported one, %.1f mm from it\n",
@@ -147,6 +152,15 @@ Json bestJson(const FieldReport& report) {
           {"mri_T_target", rowMajor(best.target.mri_T_target)}};
 }
 
+Json comparisonJson(const steps::FieldComparison& compared) {
+  return {{"points", compared.points},
+          {"relative_error", compared.relative_error},
+          {"scaled", compared.is_scaled},
+          {"scale", compared.scale},
+          {"maximum_ratio", compared.peak_ratio},
+          {"maximum_shift_mm", compared.peak_shift_mm}};
+}
+
 Json asJson(const FieldReport& report) {
   const auto& field = report.on_cortex;
   Json json{{"target", report.target.name},
@@ -171,13 +185,8 @@ Json asJson(const FieldReport& report) {
   json["maximum_distance_mm"] = field.peak_distance_mm;
   json["regions"] = report.regions ? regionsJson(*report.regions) : Json();
   if (report.best) json["best"] = bestJson(report);
-  if (const auto& compared = report.comparison)
-    json["comparison"] = {{"points", compared->points},
-                          {"relative_error", compared->relative_error},
-                          {"scaled", compared->is_scaled},
-                          {"scale", compared->scale},
-                          {"maximum_ratio", compared->peak_ratio},
-                          {"maximum_shift_mm", compared->peak_shift_mm}};
+  if (report.comparison) json["comparison"] = comparisonJson(*report.comparison);
+  if (report.without_fluid) json["against_tier_1"] = comparisonJson(*report.without_fluid);
   if (const auto& dose = report.dose)
     json["dose"] = {
         {"hotspot", dose->hotspot}, {"threshold_pct", dose->threshold_pct}, {"output_pct", dose->output_pct}};

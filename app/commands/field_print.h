@@ -5,6 +5,7 @@
 
 #include "facenav/efield/coil_file.h"
 #include "facenav/plan/best_pose.h"
+#include "facenav/plan/cortex_field.h"
 
 namespace facenav::app {
 
@@ -26,6 +27,7 @@ struct FieldReport {
   std::optional<steps::BestPose> best = {};
   double best_s = 0;  // time that the search took
   std::optional<steps::FieldComparison> comparison = {};
+  std::optional<steps::FieldComparison> without_fluid = {};  // four shells against three
   std::optional<FieldDose> dose = {};
   bool shows_arrows = false;
 };
