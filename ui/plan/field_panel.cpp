@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QPushButton>
 #include <QSignalBlocker>
 
 #include "shell/users_words.h"
@@ -36,6 +37,14 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   row->addWidget(rate_, 1);
   row->addWidget(unit_);
   form->addRow(tr("current"), row);
+  fluid_ = new QPushButton(this);
+  fluid_->setObjectName("tool");
+  form->addRow(fluid_);
+  connect(fluid_, &QPushButton::clicked, this, [this] {
+    auto& fluid = presenter_.fluid();
+    fluid.isBuilding() ? fluid.cancel() : fluid.build();
+  });
+  connect(&presenter_.fluid(), &FluidPresenter::changed, this, &FieldPanel::showFluid);
   connect(is_on_, &QCheckBox::toggled, &presenter_, &FieldPresenter::setOn);
   connect(coil_, QOverload<int>::of(&QComboBox::activated), this, &FieldPanel::choose);
   const auto setRate = [this] {
@@ -45,6 +54,18 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   connect(unit_, QOverload<int>::of(&QComboBox::activated), this, setRate);
   connect(&presenter_, &FieldPresenter::changed, this, &FieldPanel::showChoices);
   showChoices();
+  showFluid();
+}
+
+void FieldPanel::showFluid() {
+  const auto& fluid = presenter_.fluid();
+  fluid_->setText(fluid.words());
+  fluid_->setEnabled(fluid.isPossible() || fluid.isBuilding());
+  fluid_->setToolTip(
+      !fluid.failure().isEmpty()
+          ? fluid.failure()
+          : tr("builds the head's model with the fluid round the brain (tier 2), which changes "
+               "the field most; needs 2 GB of memory meanwhile; the case keeps it"));
 }
 
 void FieldPanel::choose(int item) {

@@ -1,5 +1,6 @@
 #pragma once
-// FieldPanel: choices of the electric field: the switch, the coil, and the rate of its current.
+// FieldPanel: choices of the electric field: the switch, the coil, the rate of its current, and
+// the model with the fluid.
 
 #include <QFrame>
 
@@ -8,6 +9,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QPushButton;
 
 namespace facenav::ui {
 
@@ -24,11 +26,13 @@ class FieldPanel : public QFrame {
  private:
   void choose(int item);
   void showChoices();
+  void showFluid();
 
   FieldPresenter& presenter_;
   QCheckBox* is_on_;
   QComboBox *coil_, *unit_;
   QDoubleSpinBox* rate_;
+  QPushButton* fluid_;
 };
 
 }  // namespace facenav::ui

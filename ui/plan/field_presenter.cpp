@@ -48,7 +48,7 @@ QString strengthFigure(double strength) {
 }
 
 FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* parent)
-    : QObject(parent), plan_(plan), model_(model) {
+    : QObject(parent), plan_(plan), model_(model), fluid_(model) {
   is_on_ = settings_.value(kFieldShown, false).toBool();
   coil_ = settings_.value(kFieldCoil, QString::fromStdString(efield::builtInCoils().front())).toString();
   const bool is_percent = settings_.value(kFieldRateIsPercent, false).toBool();
@@ -58,6 +58,8 @@ FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* p
   for (auto signal : {&CaseModel::opened, &CaseModel::brainChanged})
     connect(&model_, signal, this, &FieldPresenter::forgetCase);
   connect(&plan_, &PlanPresenter::changed, this, &FieldPresenter::follow);
+  connect(&fluid_, &FluidPresenter::built, this, &FieldPresenter::takeNewModel);
+  connect(&fluid_, &FluidPresenter::failed, this, &FieldPresenter::changed);
   connect(&runner_, &TaskRunner::failed, this, [this](const QString& words) {
     if (computed_wish_ != wish_) return;
     failure_ = words;
@@ -130,6 +132,18 @@ void FieldPresenter::follow() {
   compute();
 }
 
+/// The case has a surer model now.
+void FieldPresenter::takeNewModel() {
+  ++subject_;
+  ++wish_;
+  head_.reset();
+  shown_.reset();
+  failure_.clear();
+  runner_.cancel();
+  emit changed();
+  compute();
+}
+
 void FieldPresenter::compute() {
   if (!wanted_ || shown_ || !failure_.isEmpty() || runner_.isRunning()) return;
   computed_wish_ = wish_;
@@ -170,18 +184,20 @@ QString FieldPresenter::words() const {
   if (!plan_.active()) return tr("no target chosen, so there is no field");
   if (!failure_.isEmpty()) return failure_;
   if (!shown_) return tr("computing the electric field \u2026");
-  const QString model =
-      shown_->tier == steps::FieldTier::local_sphere ? tr("a local sphere") : tr("three shells");
+  const QString models[] = {tr("a local sphere"), tr("three shells"), tr("four shells with the fluid")};
+  const QString& model = models[int(shown_->tier)];
   const QString strengths =
       tr("E at target %1 V/m, along the normal %2; maximum %3 V/m, %4 mm from the target")
           .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
                strengthFigure(shown_->peak))
           .arg(std::lround(shown_->peak_distance_mm));
-  return strengths + tr("; at %1 A/us; tier %2: %3, usual error %4 %")
-                         .arg(shown_->rate_A_per_us, 0, 'g', 4)
-                         .arg(int(shown_->tier))
-                         .arg(model)
-                         .arg(std::lround(100 * shown_->usual_error));
+  return strengths +
+         tr("; at %1 A/us; tier %2: %3, usual error %4 %")
+             .arg(shown_->rate_A_per_us, 0, 'g', 4)
+             .arg(int(shown_->tier))
+             .arg(model)
+             .arg(std::lround(100 * shown_->usual_error)) +
+         (fluid_.failure().isEmpty() ? QString() : tr("; no model with the fluid: %1").arg(fluid_.failure()));
 }
 
 QString FieldPresenter::barWords() const {

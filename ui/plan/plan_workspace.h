@@ -32,6 +32,8 @@ class PlanWorkspace : public QWidget {
  public:
   PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex, CaseModel& model,
                 QWidget* parent = nullptr);
+  /// Ends what computes on all cores, for a treatment.
+  void stopBuilding();
 
  protected:
   void showEvent(QShowEvent* event) override;
