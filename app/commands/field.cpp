@@ -62,6 +62,7 @@ class FieldSteps {
       report_.regions = steps::fieldInBrain(*head_, surfaces_, coil, report_.target, report_.on_cortex,
                                             monitor_, steps::aalLabels(store_))
                             .regions;
+    if (head_->tier() == steps::FieldTier::four_shells) compareWithoutFluid();
     if (!request_.best.empty()) findBest();
     if (!request_.against.empty()) compareWith(plan_.find(request_.against));
     if (!request_.hotspot.empty()) findDose();
@@ -75,11 +76,18 @@ class FieldSteps {
   }
 
  private:
-  /// Builds the three shells if the case can have them and does not.
+  /// Builds the shells that are wanted if the case can have them and does not: three, or three and four, so
+  /// that both are compared.
   void buildShells() const {
-    if (!steps::canHaveField(store_) || steps::keptField(store_)) return;
+    using steps::FieldTier;
+    if (!steps::canHaveField(store_)) return;
+    const bool wants_fluid = request_.tier == int(FieldTier::four_shells);
     try {
-      steps::buildField(store_, monitor_);
+      if (!steps::hasField(store_, FieldTier::three_shells) &&
+          (request_.tier || !steps::hasField(store_, FieldTier::four_shells)))
+        steps::buildField(store_, monitor_, FieldTier::three_shells);
+      if (wants_fluid && !steps::hasField(store_, FieldTier::four_shells))
+        steps::buildField(store_, monitor_, FieldTier::four_shells);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -92,6 +100,14 @@ class FieldSteps {
     std::optional<steps::FieldTier> wanted;
     if (request_.tier) wanted = steps::FieldTier(*request_.tier);
     return steps::headField(store_, surfaces_, steps::coilPoseOf(target), wanted);
+  }
+
+  void compareWithoutFluid() {
+    if (!steps::hasField(store_, steps::FieldTier::three_shells)) return;
+    const auto without = steps::headField(store_, surfaces_, steps::coilPoseOf(report_.target),
+                                          steps::FieldTier::three_shells);
+    report_.without_fluid =
+        steps::compareModels(*head_, *without, surfaces_, report_.coil.dipoles, report_.target);
   }
 
   void findBest() {
@@ -145,8 +161,10 @@ void addFieldOptions(CLI::App& verb, FieldRequest& request) {
                   "% of the stimulator's output, where the coil's file gives its largest rate")
       ->check(CLI::Range(0.1, 100.0))
       ->excludes(didt);
-  verb.add_option("--tier", request.tier,
-                  "head model: 0 local sphere, 1 three shells, 2 with fluid; default: the surest of the case")
+  verb.add_option(
+          "--tier", request.tier,
+          "head model: 0 local sphere, 1 three shells, 2 with the fluid round the brain (built once, about a "
+          "minute, 2 GB); default: the surest of the case")
       ->check(CLI::Range(0, 2));
   verb.add_option(
       "-o,--output-file", request.output,

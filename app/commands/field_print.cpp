@@ -118,6 +118,11 @@ void printExtras(const FieldReport& report) {
         best->planned, 100 * (best->best / best->planned - 1), best->poses, report.best_s);
   }
   printComparisons(report);
+  if (const auto& change = report.without_fluid)
+    std::printf(
+        "by the fluid the field changes by %.0f %% against tier 1; maximum %.2f of that one, %.1f mm from "
+        "it\n",
+        100 * change->relative_error, change->peak_ratio, change->peak_shift_mm);
   if (const auto& dose = report.dose)
     std::printf("dose         %.0f %% of the output gives the target the field of '%s' at %.0f %%%s\n",
                 dose->output_pct, dose->hotspot.c_str(), dose->threshold_pct,
@@ -181,6 +186,15 @@ Json bestJson(const FieldReport& report) {
   return json;
 }
 
+Json comparisonJson(const steps::FieldComparison& compared) {
+  return {{"points", compared.points},
+          {"relative_error", compared.relative_error},
+          {"scaled", compared.is_scaled},
+          {"scale", compared.scale},
+          {"maximum_ratio", compared.peak_ratio},
+          {"maximum_shift_mm", compared.peak_shift_mm}};
+}
+
 Json asJson(const FieldReport& report) {
   const auto& field = report.on_cortex;
   Json json{{"target", report.target.name},
@@ -209,13 +223,8 @@ Json asJson(const FieldReport& report) {
     json["against"] = differenceJson(*report.pose_comparison);
     json["against"]["target"] = report.against;
   }
-  if (const auto& compared = report.comparison)
-    json["comparison"] = {{"points", compared->points},
-                          {"relative_error", compared->relative_error},
-                          {"scaled", compared->is_scaled},
-                          {"scale", compared->scale},
-                          {"maximum_ratio", compared->peak_ratio},
-                          {"maximum_shift_mm", compared->peak_shift_mm}};
+  if (report.comparison) json["comparison"] = comparisonJson(*report.comparison);
+  if (report.without_fluid) json["against_tier_1"] = comparisonJson(*report.without_fluid);
   if (const auto& dose = report.dose)
     json["dose"] = {
         {"hotspot", dose->hotspot}, {"threshold_pct", dose->threshold_pct}, {"output_pct", dose->output_pct}};

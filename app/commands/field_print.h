@@ -5,6 +5,7 @@
 
 #include "facenav/efield/coil_file.h"
 #include "facenav/plan/best_pose.h"
+#include "facenav/plan/cortex_field.h"
 #include "facenav/plan/field_region.h"
 
 namespace facenav::app {
@@ -30,6 +31,7 @@ struct FieldReport {
   std::string against = {};                                   // target whose pose is compared
   std::optional<steps::PoseComparison> pose_comparison = {};
   std::optional<steps::FieldComparison> comparison = {};
+  std::optional<steps::FieldComparison> without_fluid = {};  // four shells against three
   std::optional<FieldDose> dose = {};
   bool shows_arrows = false;
 };

@@ -322,6 +322,41 @@ TEST_F(PlanField, TheBestPoseIsTakenByAPersonAndUndone) {
   EXPECT_FALSE(best_->isPossible());
 }
 
+TEST_F(PlanField, TheModelWithTheFluidIsBuiltOnRequestAndCanBeStopped) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  FieldPanel panel(*field_);
+  const auto button = [&] { return panel.findChild<QPushButton*>(); };
+  EXPECT_FALSE(button()->isEnabled()) << "the case has no cortex with sulci";
+  open("with cortex", testing::ballWithCortex());
+  ASSERT_TRUE(button()->isEnabled());
+  EXPECT_EQ(button()->text().toStdString(), "with the fluid (takes about 60 s)");
+  const auto& store = model_.current().store;
+  button()->click();
+  EXPECT_TRUE(fixtures::waitFor([&] { return button()->text().contains("equations"); }, 60000))
+      << button()->text().toStdString();
+  EXPECT_THAT(button()->text().toStdString(), HasSubstr("%: stop"));
+  button()->click();
+  EXPECT_TRUE(fixtures::waitFor([&] { return !field_->fluid().isBuilding(); }, 60000));
+  EXPECT_FALSE(std::filesystem::exists(steps::fieldFile(store, steps::FieldTier::four_shells)));
+  EXPECT_EQ(button()->text().toStdString(), "with the fluid (takes about 60 s)");
+}
+
+TEST_F(PlanField, TheModelWithTheFluidIsNamed) {
+  if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
+  const auto store =
+      casefile::CaseStore::create(folder_.path() / "fluid", testing::ballWithCortex(), {}, false);
+  TaskMonitor monitor;
+  steps::buildField(store, monitor, steps::FieldTier::four_shells, {2, 600});
+  model_.open(loadCase(folder_.path() / "fluid", monitor));
+  plan_.addTargetNear(Point<Mri>(4, 6, 66));
+  FieldPanel panel(*field_);
+  EXPECT_FALSE(panel.findChild<QPushButton*>()->isEnabled());
+  EXPECT_EQ(panel.findChild<QPushButton*>()->text().toStdString(), "with the fluid: built");
+  press("Electric field");
+  ASSERT_TRUE(waitForField()) << words();
+  EXPECT_THAT(words(), HasSubstr("tier 2: four shells with the fluid, usual error"));
+}
+
 TEST_F(PlanField, NoTextIsCutAtTwiceTheTextSizeIn1366By768) {
   if (!page_) GTEST_SKIP() << "no X display here: run under xvfb-run";
   changeTextScale(*qApp, 2.0);

@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalBlocker>
 
 #include "shell/users_words.h"
@@ -40,6 +41,14 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   row->addWidget(rate_, 1);
   row->addWidget(unit_);
   form->addRow(tr("current"), row);
+  fluid_ = new QPushButton(this);
+  fluid_->setObjectName("tool");
+  form->addRow(fluid_);
+  connect(fluid_, &QPushButton::clicked, this, [this] {
+    auto& fluid = presenter_.fluid();
+    fluid.isBuilding() ? fluid.cancel() : fluid.build();
+  });
+  connect(&presenter_.fluid(), &FluidPresenter::changed, this, &FieldPanel::showFluid);
   connect(is_on_, &QCheckBox::toggled, &presenter_, &FieldPresenter::setOn);
   connect(coil_, QOverload<int>::of(&QComboBox::activated), this, &FieldPanel::choose);
   const auto setRate = [this] {
@@ -57,6 +66,7 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   connect(&presenter_, &FieldPresenter::reachChanged, this, &FieldPanel::showReach);
   showChoices();
   showReach();
+  showFluid();
 }
 
 void FieldPanel::showReach() {
@@ -67,6 +77,17 @@ void FieldPanel::showReach() {
   if (!menu || !menu->isVisible()) return;
   QActionEvent grown(QEvent::ActionChanged, menu->actions().first());
   QApplication::sendEvent(menu, &grown);  // an open menu takes the new size
+}
+
+void FieldPanel::showFluid() {
+  const auto& fluid = presenter_.fluid();
+  fluid_->setText(fluid.words());
+  fluid_->setEnabled(fluid.isPossible() || fluid.isBuilding());
+  fluid_->setToolTip(
+      !fluid.failure().isEmpty()
+          ? fluid.failure()
+          : tr("builds the head's model with the fluid round the brain (tier 2), which changes "
+               "the field most; needs 2 GB of memory meanwhile; the case keeps it"));
 }
 
 void FieldPanel::choose(int item) {

@@ -1,6 +1,6 @@
 #pragma once
-// FieldPanel: choices of the electric field: the switch, the coil, and the rate of its current; below them
-// the region that the field reaches.
+// FieldPanel: choices of the electric field: the switch, the coil, the rate of its current, and the model
+// with the fluid; below them the region that the field reaches.
 
 #include <QFrame>
 
@@ -10,6 +10,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 
 namespace facenav::ui {
 
@@ -27,12 +28,14 @@ class FieldPanel : public QFrame {
   void choose(int item);
   void showChoices();
   void showReach();
+  void showFluid();
 
   FieldPresenter& presenter_;
   QCheckBox* is_on_;
   QComboBox *coil_, *unit_;
   QDoubleSpinBox* rate_;
   QLabel* reach_;
+  QPushButton* fluid_;
 };
 
 }  // namespace facenav::ui

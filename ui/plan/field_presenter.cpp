@@ -73,7 +73,7 @@ QString differenceWords(const steps::PoseComparison& compared) {
 }
 
 FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* parent)
-    : QObject(parent), plan_(plan), model_(model) {
+    : QObject(parent), plan_(plan), model_(model), fluid_(model) {
   is_on_ = settings_.value(kFieldShown, false).toBool();
   coil_ = settings_.value(kFieldCoil, QString::fromStdString(efield::builtInCoils().front())).toString();
   const bool is_percent = settings_.value(kFieldRateIsPercent, false).toBool();
@@ -84,6 +84,8 @@ FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* p
     connect(&model_, signal, this, &FieldPresenter::forgetCase);
   connect(&plan_, &PlanPresenter::changed, this, &FieldPresenter::follow);
   connect(&runner_, &TaskRunner::failed, this, &FieldPresenter::fail);
+  connect(&fluid_, &FluidPresenter::built, this, &FieldPresenter::takeNewModel);
+  connect(&fluid_, &FluidPresenter::failed, this, &FieldPresenter::changed);
   for (auto signal : {&TaskRunner::succeeded, &TaskRunner::cancelled})
     connect(&runner_, signal, this, &FieldPresenter::compute);
   connect(&runner_, &TaskRunner::failed, this, &FieldPresenter::compute);
@@ -189,6 +191,13 @@ void FieldPresenter::restart() {
   compute();
 }
 
+/// The case has a surer model now.
+void FieldPresenter::takeNewModel() {
+  ++subject_;
+  head_.reset();
+  restart();
+}
+
 void FieldPresenter::compute() {
   if (!wanted_ || !failure_.isEmpty() || runner_.isRunning()) return;
   computed_wish_ = wish_;
@@ -290,8 +299,8 @@ QString FieldPresenter::words() const {
   if (!plan_.active()) return tr("no target chosen, so there is no field");
   if (!failure_.isEmpty()) return failure_;
   if (!shown_) return tr("computing the electric field \u2026");
-  const QString model =
-      shown_->tier == steps::FieldTier::local_sphere ? tr("a local sphere") : tr("three shells");
+  const QString models[] = {tr("a local sphere"), tr("three shells"), tr("four shells with the fluid")};
+  const QString& model = models[int(shown_->tier)];
   const QString strengths =
       tr("E at target %1 V/m, along the normal %2; maximum %3 V/m, %4 mm from the target")
           .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
@@ -303,7 +312,8 @@ QString FieldPresenter::words() const {
              .arg(int(shown_->tier))
              .arg(model)
              .arg(std::lround(100 * shown_->usual_error)) +
-         modelWords();
+         modelWords() +
+         (fluid_.failure().isEmpty() ? QString() : tr("; no model with the fluid: %1").arg(fluid_.failure()));
 }
 
 QString FieldPresenter::barWords() const {

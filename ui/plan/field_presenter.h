@@ -9,6 +9,7 @@
 
 #include "facenav/plan/planned_field.h"
 #include "facenav/scene/field_layer.h"
+#include "plan/fluid_presenter.h"
 #include "plan/plan_presenter.h"
 #include "shell/task_runner.h"
 
@@ -40,6 +41,9 @@ class FieldPresenter : public QObject {
   void setInSight(bool is_in_sight);
   /// Sets the surface that the 3-D view draws; null: none.
   void setDrawn(std::shared_ptr<const surface::TriangleMesh> drawn);
+
+  /// Builds the model with the fluid; the field is then computed again with it.
+  FluidPresenter& fluid() { return fluid_; }
 
   /// What the field is wanted for; nothing while it is off, out of sight or without a target.
   const std::optional<steps::WantedField>& wanted() const { return wanted_; }
@@ -79,10 +83,12 @@ class FieldPresenter : public QObject {
   void fail(const QString& words);
   void takeModel(const QString& folder, const QString& failure);
   QString modelWords() const;
+  void takeNewModel();
   void keep(std::shared_ptr<const steps::ReadHead> head, int subject);
 
   PlanPresenter& plan_;
   CaseModel& model_;
+  FluidPresenter fluid_;
   QSettings settings_;
   TaskRunner runner_;
   bool is_on_ = false, is_in_sight_ = false;

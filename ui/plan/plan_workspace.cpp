@@ -372,6 +372,8 @@ void PlanWorkspace::showEvent(QShowEvent*) {
   field_->setInSight(true);
 }
 
+void PlanWorkspace::stopBuilding() { field_->fluid().cancel(); }
+
 void PlanWorkspace::hideEvent(QHideEvent*) { field_->setInSight(false); }
 
 }  // namespace facenav::ui

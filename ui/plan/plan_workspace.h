@@ -32,6 +32,8 @@ class PlanWorkspace : public QWidget {
  public:
   PlanWorkspace(PlanPresenter& presenter, PlacePresenter& place, CortexPresenter& cortex, CaseModel& model,
                 QWidget* parent = nullptr);
+  /// Ends what computes on all cores, for a treatment.
+  void stopBuilding();
 
   /// Has models of the head's field that are older than its masks built again by this queue.
   void buildFieldsBy(PrepareQueue& queue) { field_->buildBy(queue); }

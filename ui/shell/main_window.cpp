@@ -211,7 +211,10 @@ void MainWindow::overrideSignOff(const QString& by, const QString& reason) {
 }
 
 /// Preparing uses every core, so no job starts during a treatment.
-void MainWindow::holdQueue() { queue_.setHeld(treat_.isRunning()); }
+void MainWindow::holdQueue() {
+  queue_.setHeld(treat_.isRunning());
+  if (treat_.isRunning()) stack_->findChild<PlanWorkspace*>()->stopBuilding();
+}
 
 void MainWindow::openCase(const QString& folder) { openCaseAt(folder, PrepareStep::check); }
 

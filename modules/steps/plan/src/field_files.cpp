@@ -55,6 +55,17 @@ void requireOnCortex(const Eigen::Matrix3Xd& points_mm, const surface::TriangleM
                 file.string(), "import a field of this patient, in the coordinates of the case's MRI");
 }
 
+/// Fills in what both fields (3 x n vectors or a row of magnitudes) say; `ours` after scaling.
+void compare(const Eigen::MatrixXd& ours, const Eigen::MatrixXd& theirs, const Eigen::Matrix3Xd& points_mm,
+             FieldComparison& result) {
+  result.points = int(theirs.cols());
+  result.relative_error = (ours - theirs).norm() / theirs.norm();
+  Eigen::Index at_ours = 0, at_theirs = 0;
+  const double peak = ours.colwise().norm().maxCoeff(&at_ours);
+  result.peak_ratio = peak / theirs.colwise().norm().maxCoeff(&at_theirs);
+  result.peak_shift_mm = (points_mm.col(at_ours) - points_mm.col(at_theirs)).norm();
+}
+
 /// The part of the samples that is compared: vectors, or magnitudes as one row.
 Eigen::MatrixXd comparable(const Eigen::Matrix3Xd& field, bool has_vectors) {
   if (has_vectors) return field;
@@ -95,15 +106,22 @@ FieldComparison compareField(const HeadField& head, const FieldSurfaces& surface
   Eigen::MatrixXd ours = comparable(
       rate_A_per_us.value_or(1) * head.at(coil, coilPoseOf(target), imported.points_mm), has_vectors);
   FieldComparison result;
-  result.points = int(theirs.cols());
   result.is_scaled = !rate_A_per_us;
   result.scale = ours.cwiseProduct(theirs).sum() / ours.squaredNorm();
   if (result.is_scaled) ours *= result.scale;
-  result.relative_error = (ours - theirs).norm() / theirs.norm();
-  Eigen::Index at_ours = 0, at_theirs = 0;
-  const double peak = ours.colwise().norm().maxCoeff(&at_ours);
-  result.peak_ratio = peak / theirs.colwise().norm().maxCoeff(&at_theirs);
-  result.peak_shift_mm = (imported.points_mm.col(at_ours) - imported.points_mm.col(at_theirs)).norm();
+  compare(ours, theirs, imported.points_mm, result);
+  return result;
+}
+
+FieldComparison compareModels(const HeadField& head, const HeadField& other, const FieldSurfaces& surfaces,
+                              const efield::CoilDipoles& coil, const guidance::Target& target) {
+  const auto& vertices = surfaces.cortex.vertices_mm;
+  const Eigen::Map<const Eigen::Matrix3Xd> points_mm(vertices[0].data(), 3, Eigen::Index(vertices.size()));
+  const CoilPose pose = coilPoseOf(target);
+  const Eigen::MatrixXd ours = head.at(coil, pose, points_mm), theirs = other.at(coil, pose, points_mm);
+  FieldComparison result;
+  result.scale = ours.cwiseProduct(theirs).sum() / ours.squaredNorm();
+  compare(ours, theirs, points_mm, result);
   return result;
 }
 

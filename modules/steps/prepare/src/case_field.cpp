@@ -6,6 +6,7 @@
 
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
+#include "facenav/efield/brain_surface.h"
 #include "facenav/efield/head_model.h"
 
 namespace facenav::steps {
@@ -13,11 +14,15 @@ namespace {
 
 constexpr std::size_t kPoints = 20500;  // at most; a pose costs time in proportion
 constexpr double kFinestCube_mm = 1.5, kCubeStep = 1.08;
-constexpr const char* kSettings = "three shells 1";  // change it with the model's settings or mesh
 
-/// What the model is made from: settings and the hashes of the case's files.
-std::string modelOf(const casefile::CaseStore& store) {
-  std::string model = kSettings;
+/// Name of a model; its number changes with the model's settings or meshes.
+const char* nameOf(FieldTier tier) {
+  return tier == FieldTier::four_shells ? "four shells 1" : "three shells 1";
+}
+
+/// What a model is made from: settings and the hashes of the case's files.
+std::string modelOf(const casefile::CaseStore& store, FieldTier tier) {
+  std::string model = nameOf(tier);
   for (const char* name : {"brain_mask.nii.gz", "head_mask.nii.gz", "scalp.vtp", "cortex.vtp"})
     model += " " + casefile::sha256OfFile(store.folder() / name);
   return model;
@@ -35,8 +40,10 @@ std::vector<std::size_t> onePerCube(const surface::DetailedCortex& cortex, doubl
 
 }  // namespace
 
-std::filesystem::path fieldFile(const casefile::CaseStore& store) {
-  return store.folder() / "electric_field.bin";
+std::filesystem::path fieldFile(const casefile::CaseStore& store, FieldTier tier) {
+  FACENAV_EXPECT(tier != FieldTier::local_sphere, "a model that is kept");
+  return store.folder() /
+         (tier == FieldTier::four_shells ? "electric_field_fluid.bin" : "electric_field.bin");
 }
 
 bool canHaveField(const casefile::CaseStore& store) {
@@ -53,30 +60,38 @@ std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex) {
   }
 }
 
-efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& monitor) {
+efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& monitor, FieldTier tier,
+                               const FieldMesh& mesh) {
   if (!store.hasMri()) throw Error("the case has no MRI", {}, "prepare a case from an MRI");
   const auto brain = store.brainMask();
   const auto cortex = store.cortex();
   if (!brain || !cortex)
     throw Error("the case has no brain", {}, "the electric field needs one; correct the brain mask");
-  const std::string model = modelOf(store);
+  const std::string model = modelOf(store, tier);
   monitor.report("electric field: surfaces", 0.0);
-  efield::HeadModel head = efield::buildHeadModel(*brain, store.headMask(), store.scalp().mesh);
+  efield::HeadModel head =
+      efield::buildHeadModel(*brain, store.headMask(), store.scalp().mesh, mesh.divisions);
+  monitor.report("electric field: surfaces", 0.3);
+  if (tier == FieldTier::four_shells)
+    head.brain = efield::brainSurface(cortex->mesh, head.inner_skull, {mesh.most_brain_vertices});
   const std::vector<std::size_t> vertices = fieldVertices(*cortex);
   Eigen::Matrix3Xd points_mm(3, Eigen::Index(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i)
     points_mm.col(Eigen::Index(i)) = cortex->mesh.vertices_mm[vertices[i]];
   const efield::FieldSolver solver(std::move(head), {}, monitor);
   efield::CortexField field = efield::makeCortexField(solver, points_mm, monitor);
-  efield::writeCortexField(field, model, fieldFile(store));
+  efield::writeCortexField(field, model, fieldFile(store, tier));
   return field;
 }
 
-std::optional<efield::CortexField> keptField(const casefile::CaseStore& store) {
-  if (!std::filesystem::exists(fieldFile(store)) || !canHaveField(store)) return std::nullopt;
-  const std::string model = modelOf(store);
-  if (efield::modelOfFile(fieldFile(store)) != model) return std::nullopt;
-  return efield::readCortexField(fieldFile(store), model);
+bool hasField(const casefile::CaseStore& store, FieldTier tier) {
+  if (!std::filesystem::exists(fieldFile(store, tier)) || !canHaveField(store)) return false;
+  return efield::modelOfFile(fieldFile(store, tier)) == modelOf(store, tier);
+}
+
+std::optional<efield::CortexField> keptField(const casefile::CaseStore& store, FieldTier tier) {
+  if (!hasField(store, tier)) return std::nullopt;
+  return efield::readCortexField(fieldFile(store, tier), modelOf(store, tier));
 }
 
 }  // namespace facenav::steps

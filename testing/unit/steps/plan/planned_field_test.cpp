@@ -126,6 +126,34 @@ TEST_F(PlannedFieldTest, WhatItReachesIsThatOfTheFieldAtItsRate) {
   EXPECT_THROW(plannedReach(head, wanted_, {}, monitor_), Cancelled);
 }
 
+TEST_F(PlannedFieldTest, TheModelWithTheFluidIsTheSurestAndSaysWhatTheFluidChanges) {
+  const FieldMesh coarse{2, 1200};
+  buildField(store_, monitor_, FieldTier::three_shells, coarse);
+  const auto pose = coilPoseOf(wanted_.target);
+  const auto surfaces = fieldSurfaces(store_);
+  EXPECT_THAT(refusalOf([&] { headField(store_, surfaces, pose, FieldTier::four_shells); }),
+              HasSubstr("four shells are not built"));
+  buildField(store_, monitor_, FieldTier::four_shells, coarse);
+  EXPECT_EQ(ReadHead(store_).tier(), FieldTier::four_shells);
+  const auto four = headField(store_, surfaces, pose);
+  EXPECT_EQ(four->tier(), FieldTier::four_shells);
+  EXPECT_THAT(four->inWords(), HasSubstr("four shells with the fluid"));
+  const auto three = headField(store_, surfaces, pose, FieldTier::three_shells);
+  EXPECT_EQ(three->tier(), FieldTier::three_shells);
+  EXPECT_LT(four->usualError(), three->usualError());
+  EXPECT_EQ(plannedField(ReadHead(store_), wanted_, monitor_).tier, FieldTier::four_shells);
+  const auto coil = efield::fieldCoil(wanted_.coil).dipoles;
+  const auto change = compareModels(*four, *three, surfaces, coil, wanted_.target);
+  const auto with = fieldOnCortex(*four, surfaces, coil, wanted_.target),
+             without = fieldOnCortex(*three, surfaces, coil, wanted_.target);
+  EXPECT_EQ(std::size_t(change.points), surfaces.cortex.vertices_mm.size());
+  EXPECT_NEAR(change.relative_error, (with.field - without.field).norm() / without.field.norm(), 1e-9);
+  EXPECT_NEAR(change.peak_ratio, with.peak / without.peak, 1e-9);
+  EXPECT_NEAR(change.peak_shift_mm, (with.peak_place.mm - without.peak_place.mm).norm(), 1e-9);
+  EXPECT_LT(change.relative_error, 0.5) << "a ball: the fluid changes nothing, the coarse meshes do";
+  EXPECT_EQ(compareModels(*four, *four, surfaces, coil, wanted_.target).relative_error, 0);
+}
+
 TEST_F(PlannedFieldTest, ACancelledOneGivesNothing) {
   const ReadHead head(store_);
   monitor_.cancel();

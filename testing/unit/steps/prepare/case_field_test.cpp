@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/volume/nifti.h"
 #include "support/ball_with_cortex.h"
@@ -43,6 +44,50 @@ TEST(CaseField, IsKeptUntilTheBrainChanges) {
   changed.voxels[changed.grid.index(25, 25, 25)] = 0;
   volume::writeMask(changed, store.folder() / "brain_mask.nii.gz");
   EXPECT_FALSE(keptField(store)) << "another brain mask";
+}
+
+// 600 + 3 x 162 equations.
+const FieldMesh kCoarse{2, 600};
+
+TEST(CaseField, TheModelWithTheFluidIsKeptBesideTheOneWithout) {
+  const TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", ballWithCortex(), {}, false);
+  TaskMonitor monitor;
+  const auto three = buildField(store, monitor, FieldTier::three_shells, kCoarse);
+  EXPECT_FALSE(hasField(store, FieldTier::four_shells));
+  const auto four = buildField(store, monitor, FieldTier::four_shells, kCoarse);
+  EXPECT_NE(fieldFile(store, FieldTier::four_shells), fieldFile(store));
+  EXPECT_LT(std::filesystem::file_size(fieldFile(store, FieldTier::four_shells)), 60e6);
+  const auto kept = keptField(store, FieldTier::four_shells);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->points_mm, four.points_mm);
+  EXPECT_EQ(keptField(store)->points_mm, three.points_mm);
+
+  volume::Mask changed = *store.brainMask();
+  changed.voxels[changed.grid.index(25, 25, 25)] = 0;
+  volume::writeMask(changed, store.folder() / "brain_mask.nii.gz");
+  EXPECT_FALSE(hasField(store, FieldTier::four_shells)) << "another brain mask";
+  EXPECT_FALSE(keptField(store, FieldTier::four_shells));
+}
+
+TEST(CaseField, ACancelledModelLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto store = casefile::CaseStore::create(folder.path() / "case", ballWithCortex(), {}, false);
+  const auto count = [&] {
+    return std::distance(std::filesystem::directory_iterator(store.folder()),
+                         std::filesystem::directory_iterator());
+  };
+  const auto before = count();
+  // Cancelled at each of its stages.
+  for (const std::string stage : {"surfaces", "equations", "solving", "modes"}) {
+    TaskMonitor* cancelled = nullptr;
+    TaskMonitor monitor([&](const std::string& step, double) {
+      if (step == "electric field: " + stage) cancelled->cancel();
+    });
+    cancelled = &monitor;
+    EXPECT_THROW(buildField(store, monitor, FieldTier::four_shells, kCoarse), Cancelled) << stage;
+    EXPECT_EQ(count(), before) << stage;
+  }
 }
 
 TEST(CaseField, ADamagedFileIsSaid) {

@@ -2,16 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "dense/lu.h"
 #include "dense/product.h"
+#include "facenav/core/error.h"
 #include "facenav/core/simd.h"
 #include "kernels/field_kernel.h"
 #include "support/refusal.h"
 
 namespace facenav::efield::dense {
 namespace {
+
+using facenav::testing::refusalOf;
 
 Eigen::MatrixXf randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
   std::mt19937 random(seed);
@@ -43,6 +47,22 @@ TEST(Lu, SolvesBothWaysAndExchangesRows) {
     EXPECT_LT((y - truth).norm() / truth.norm(), 2e-3) << size;
     EXPECT_LT((a * x - a * truth).norm() / (a * truth).norm(), 1e-4) << size;
   }
+}
+
+TEST(Lu, ReportsItsProgressAndCanBeEnded) {
+  Eigen::MatrixXf lu = randomMatrix(600, 600, 6);
+  const Eigen::MatrixXf a = lu;
+  std::vector<double> shares;
+  factorise(viewOf(lu), [&](double share) { shares.push_back(share); });
+  ASSERT_GE(shares.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.back(), 0.95);
+  EXPECT_LE(shares.back(), 1.0);
+  lu = a;
+  const auto endAtHalf = [](double share) {
+    if (share > 0.5) throw Error("ended");
+  };
+  EXPECT_EQ(refusalOf([&] { factorise(viewOf(lu), endAtHalf); }), "ended");
 }
 
 TEST(Lu, RefusesASingularMatrix) {

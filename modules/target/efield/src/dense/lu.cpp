@@ -1,5 +1,6 @@
 #include "dense/lu.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,7 +12,8 @@ namespace facenav::efield::dense {
 namespace {
 
 using Index = std::ptrdiff_t;
-constexpr Index kSmall = 16;  // columns that are worked on one by one
+constexpr Index kSmall = 16;    // columns that are worked on one by one
+constexpr Index kPanel = 1024;  // columns that are worked on between two reports
 
 /// Splits a size near its middle, at a multiple of kSmall.
 Index firstHalf(Index size) { return (size / 2 + kSmall - 1) / kSmall * kSmall; }
@@ -87,27 +89,47 @@ void factoriseColumns(const MatrixView& a, int* pivots) {
   }
 }
 
+/// Counts multiplications and reports their share after each large step.
+class Work {
+ public:
+  Work(double all, const WorkDone& report) : all_(all), report_(report) {}
+  void add(Index rows, Index depth, Index columns) {
+    done_ += double(rows) * double(depth) * double(columns);
+    if (report_ && done_ - reported_ > all_ / 100) report_(std::min(1.0, (reported_ = done_) / all_));
+  }
+
+ private:
+  double all_, done_ = 0, reported_ = 0;
+  const WorkDone& report_;
+};
+
 /// Factorises a tall matrix. Pivots count from its first row.
-void factoriseTall(const MatrixView& a, int* pivots) {
+void factoriseTall(const MatrixView& a, int* pivots, Work& work) {
   if (a.columns <= kSmall) return factoriseColumns(a, pivots);
   const Index n1 = firstHalf(a.columns), n2 = a.columns - n1, below = a.rows - n1;
   const MatrixView left = a.part(0, 0, a.rows, n1), right = a.part(0, n1, a.rows, n2);
-  factoriseTall(left, pivots);
+  factoriseTall(left, pivots, work);
   exchangeRows(right, pivots, n1);
-  const MatrixView top = right.part(0, 0, n1, n2), bottom = right.part(n1, 0, below, n2);
-  solveLower(left.part(0, 0, n1, n1), true, top);
-  addProduct(bottom, -1.f, left.part(n1, 0, below, n1), top);
-  factoriseTall(bottom, pivots + n1);
+  // In parts, so that progress is reported in between.
+  for (Index first = 0; first < n2; first += kPanel) {
+    const Index count = std::min(kPanel, n2 - first);
+    const MatrixView top = right.part(0, first, n1, count);
+    solveLower(left.part(0, 0, n1, n1), true, top);
+    addProduct(right.part(n1, first, below, count), -1.f, left.part(n1, 0, below, n1), top);
+    work.add(below + n1 / 2, n1, count);
+  }
+  factoriseTall(right.part(n1, 0, below, n2), pivots + n1, work);
   exchangeRows(left.part(n1, 0, below, n1), pivots + n1, n2);
   for (Index i = n1; i < a.columns; ++i) pivots[i] += int(n1);
 }
 
 }  // namespace
 
-Pivots factorise(const MatrixView& a) {
+Pivots factorise(const MatrixView& a, const WorkDone& report) {
   FACENAV_EXPECT(a.rows == a.columns && a.row_step == 1, "a square matrix");
   Pivots pivots(std::size_t(a.rows));
-  factoriseTall(a, pivots.data());
+  Work work(std::pow(double(a.rows), 3) / 3, report);
+  factoriseTall(a, pivots.data(), work);
   return pivots;
 }
 

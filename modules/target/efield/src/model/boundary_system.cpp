@@ -56,8 +56,8 @@ std::vector<Shell> shellsOf(const HeadModel& head, const Conductivities& s) {
 }
 
 SpreadCharges::SpreadCharges(const ShellMesh& mesh) : corners(mesh.triangles) {
-  constexpr int kParts = 3;             // of an edge
-  constexpr double kReachEdges = 1.75;  // farther away the lumps leave 0.1 %
+  constexpr int kParts = 3;            // of an edge
+  constexpr double kReachEdges = 2.5;  // farther away the lumps leave 0.1 %
   std::vector<Eigen::Vector3d> middles;
   for (int i = 0; i < kParts; ++i)
     for (int j = 0; i + j < kParts; ++j) {
@@ -75,16 +75,18 @@ SpreadCharges::SpreadCharges(const ShellMesh& mesh) : corners(mesh.triangles) {
   }
   for (Index t = 0; t < corners.cols(); ++t)
     for (int v = 0; v < 3; ++v) areas(v, t) = float(triangle_areas[t] / kNodes / sums[corners(v, t)]);
-  for (int node = 0; node < kNodes; ++node) {
-    const Eigen::Vector3d share = middles[std::size_t(node)] / (3.0 * kParts);
-    Eigen::Matrix3Xd places(3, corners.cols());
-    for (Index t = 0; t < corners.cols(); ++t)
-      places.col(t) = share[0] * mesh.vertices_mm.col(corners(0, t)) +
-                      share[1] * mesh.vertices_mm.col(corners(1, t)) +
-                      share[2] * mesh.vertices_mm.col(corners(2, t));
-    nodes.emplace_back(places);
-    for (int v = 0; v < 3; ++v) shares[node][v] = float(share[v]);
+  nodes.resize(3, kNodes * corners.cols());
+  Eigen::Matrix3Xd middle_places(3, corners.cols());
+  for (Index t = 0; t < corners.cols(); ++t) {
+    Eigen::Matrix3d at;
+    for (int v = 0; v < 3; ++v) at.col(v) = mesh.vertices_mm.col(corners(v, t));
+    middle_places.col(t) = at.rowwise().mean();
+    for (int node = 0; node < kNodes; ++node)
+      nodes.col(kNodes * t + node) = (at * middles[std::size_t(node)] / (3.0 * kParts)).cast<float>();
   }
+  for (int node = 0; node < kNodes; ++node)
+    for (int v = 0; v < 3; ++v) shares[node][v] = float(middles[std::size_t(node)][v] / (3.0 * kParts));
+  centres = PointArrays(middle_places);
   reach_mm = float(kReachEdges * vertexEdges_mm(mesh).mean());
 }
 
@@ -107,7 +109,8 @@ BoundarySystem::BoundarySystem(const std::vector<Shell>& shells, TaskMonitor& mo
   // The potential is known up to a constant; this makes its mean 0.
   lu = boundaryMatrix(shells, shells.front().inside / double(size()), monitor);
   monitor.report("electric field: solving", 0.0);
-  pivots = dense::factorise(dense::viewOf(lu));
+  pivots = dense::factorise(dense::viewOf(lu),
+                            [&](double share) { monitor.report("electric field: solving", share); });
 }
 
 void BoundarySystem::removeMeans(Eigen::Ref<Eigen::MatrixXf> columns) const {

@@ -37,10 +37,11 @@ std::vector<Shell> shellsOf(const HeadModel& head, const Conductivities& conduct
 struct SpreadCharges {
   static constexpr int kNodes = 9;  // of a triangle: middles of its parts
   float shares[kNodes][3];          // of a node by corner
-  std::vector<PointArrays> nodes;   // by node: its place in each triangle
+  Eigen::Matrix3Xf nodes;           // kNodes places a triangle
+  PointArrays centres;              // of the triangles
   Eigen::Matrix3Xi corners;
   Eigen::Matrix3Xf areas;  // part of each corner's area that one node stands for
-  float reach_mm = 0;      // a point is near if a vertex lies within it
+  float reach_mm = 0;      // a triangle is near to a point if its centre lies within it
 
   explicit SpreadCharges(const ShellMesh& mesh);
 };

@@ -1,6 +1,7 @@
 #include "facenav/efield/field_solver.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "facenav/surface/closest_point.h"
 #include "model/boundary_system.h"
@@ -59,20 +60,58 @@ Eigen::Matrix3Xd FieldSolver::fieldAt(const CoilDipoles& coil,
   return field;
 }
 
+namespace {
+
+/// Moves points to a depth below a surface.
+class Depth {
+ public:
+  explicit Depth(const ShellMesh& mesh)
+      : mesh_(mesh), surface_(triangleMesh(mesh)), edges_mm_(vertexEdges_mm(mesh)) {}
+
+  /// True if the point was moved. In a fold thinner than twice the depth it ends near the fold's middle.
+  bool move(Vector3d& point_mm) {
+    constexpr int kSteps = 10;
+    bool is_moved = false;
+    double best = -1e9;  // part of the wanted depth
+    Vector3d best_mm = point_mm;
+    for (int step = 0; step < kSteps; ++step) {
+      const auto place = surface_.nearest(Point<Mri>(point_mm), near_);
+      near_ = place.triangle;
+      const double least_mm = kLeastDepthEdges * edgeOf_mm(place.triangle);
+      const double depth = (place.is_outside ? -place.distance_mm : place.distance_mm) / least_mm;
+      if (depth > best) best = depth, best_mm = point_mm;
+      // A moved point rounds to a little less.
+      if (depth >= (is_moved ? 0.999 : 1.0)) return is_moved;
+      is_moved = true;
+      const double aim_mm = least_mm * (1 - 0.5 * step / kSteps);
+      point_mm = place.point.mm - aim_mm * place.normal.v;
+    }
+    point_mm = best_mm;
+    return true;
+  }
+
+ private:
+  double edgeOf_mm(int triangle) const {
+    double sum_mm = 0;
+    for (int c = 0; c < 3; ++c) sum_mm += edges_mm_[mesh_.triangles(c, triangle)];
+    return sum_mm / 3;
+  }
+
+  const ShellMesh& mesh_;
+  surface::ClosestPoint surface_;
+  Eigen::VectorXd edges_mm_;
+  std::optional<int> near_;
+};
+
+}  // namespace
+
 ReachablePoints reachablePoints(const ShellMesh& innermost, const Eigen::Matrix3Xd& points_mm) {
-  const surface::ClosestPoint surface(triangleMesh(innermost));
-  const Eigen::VectorXd edges_mm = vertexEdges_mm(innermost);
+  Depth depth(innermost);
   ReachablePoints reachable{points_mm, std::vector<bool>(std::size_t(points_mm.cols()))};
-  std::optional<int> near;
   for (Index p = 0; p < points_mm.cols(); ++p) {
-    const auto place = surface.nearest(Point<Mri>(points_mm.col(p)), near);
-    near = place.triangle;
-    double edge_mm = 0;
-    for (int c = 0; c < 3; ++c) edge_mm += edges_mm[innermost.triangles(c, place.triangle)] / 3;
-    const double least_mm = kLeastDepthEdges * edge_mm;
-    if (!place.is_outside && place.distance_mm >= least_mm) continue;
-    reachable.points_mm.col(p) = place.point.mm - least_mm * place.normal.v;
-    reachable.is_moved[std::size_t(p)] = true;
+    Vector3d place_mm = points_mm.col(p);
+    reachable.is_moved[std::size_t(p)] = depth.move(place_mm);
+    reachable.points_mm.col(p) = place_mm;
   }
   return reachable;
 }

@@ -1,6 +1,7 @@
 #include "modes/coil_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "facenav/core/parallel_for.h"
 
@@ -23,32 +24,34 @@ void writeFlux(const BoundarySystem& system, const float* positions, const float
         field.col(axis).head(system.size()).array() * system.flux_weights.row(axis).transpose().array();
 }
 
-bool isNear(const BoundarySystem& system, const Eigen::Vector3f& place) {
-  const Index count = system.first[1];
-  const auto squares = (system.vertices.x.head(count).array() - place.x()).square() +
-                       (system.vertices.y.head(count).array() - place.y()).square() +
-                       (system.vertices.z.head(count).array() - place.z()).square();
-  return squares.minCoeff() < system.spread.reach_mm * system.spread.reach_mm;
+/// (p - r) / |p - r|^3
+Eigen::Vector3f pull(const Eigen::Vector3f& p, const Eigen::Vector3f& r) {
+  const Eigen::Vector3f to = p - r;
+  const float square = to.squaredNorm();
+  return to / (square * std::sqrt(square));
 }
 
-/// Replaces the pull of the first shell's vertices by that of their charges spread over the triangles.
-void spreadPull(const BoundarySystem& system, const Eigen::Vector3f& place, float* const pulls[3]) {
+/// Replaces the lumps of charge of the first shell's triangles near to a place by spread charges. `squares`:
+/// room for a number a triangle.
+void spreadNear(const BoundarySystem& system, const Eigen::Vector3f& place, Eigen::VectorXf& squares,
+                float* const pulls[3]) {
   const SpreadCharges& spread = system.spread;
-  const Index count = spread.corners.cols(), padded = spread.nodes[0].x.size();
-  Eigen::MatrixXf node(padded, 3), sums[3];
-  for (auto& sum : sums) sum = Eigen::MatrixXf::Zero(padded, 3);
-  for (int n = 0; n < SpreadCharges::kNodes; ++n) {
-    kernels::kernel().pull({spread.nodes[std::size_t(n)].points(),
-                            {place.x(), place.y(), place.z()},
-                            node.col(0).data(),
-                            node.col(1).data(),
-                            node.col(2).data()});
-    for (int v = 0; v < 3; ++v) sums[v] += spread.shares[n][v] * node;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    std::fill(pulls[axis], pulls[axis] + system.first[1], 0.f);
-    for (Index t = 0; t < count; ++t)
-      for (int v = 0; v < 3; ++v) pulls[axis][spread.corners(v, t)] += sums[v](t, axis) * spread.areas(v, t);
+  squares = (spread.centres.x.array() - place.x()).square() +
+            (spread.centres.y.array() - place.y()).square() + (spread.centres.z.array() - place.z()).square();
+  for (Index t = 0; t < spread.corners.cols(); ++t) {
+    if (squares[t] >= spread.reach_mm * spread.reach_mm) continue;
+    Eigen::Matrix3f change = Eigen::Matrix3f::Zero();  // by corner
+    for (int n = 0; n < SpreadCharges::kNodes; ++n) {
+      const Eigen::Vector3f at = pull(spread.nodes.col(t * SpreadCharges::kNodes + n), place);
+      for (int v = 0; v < 3; ++v) change.col(v) += spread.shares[n][v] * at;
+    }
+    for (int v = 0; v < 3; ++v) {
+      const Index vertex = spread.corners(v, t);
+      const Eigen::Vector3f lump(system.vertices.x[vertex], system.vertices.y[vertex],
+                                 system.vertices.z[vertex]);
+      change.col(v) -= SpreadCharges::kNodes / 3.f * pull(lump, place);
+      for (int axis = 0; axis < 3; ++axis) pulls[axis][vertex] += spread.areas(v, t) * change(axis, v);
+    }
   }
 }
 
@@ -99,13 +102,14 @@ Eigen::MatrixXf pullsAt(const BoundarySystem& system, const PointArrays& points)
   const Index count = points.x.size(), size = system.vertices.x.size();
   Eigen::MatrixXf pulls(size, 3 * count);
   parallelRanges(0, int(count), [&](int begin, int end) {
+    Eigen::VectorXf squares;
     for (int p = begin; p < end; ++p) {
       float* const columns[3] = {pulls.col(p).data(), pulls.col(count + p).data(),
                                  pulls.col(2 * count + p).data()};
       const Eigen::Vector3f place(points.x[p], points.y[p], points.z[p]);
       kernels::kernel().pull(
           {system.vertices.points(), {place.x(), place.y(), place.z()}, columns[0], columns[1], columns[2]});
-      if (isNear(system, place)) spreadPull(system, place, columns);
+      spreadNear(system, place, squares, columns);
     }
   });
   return pulls;

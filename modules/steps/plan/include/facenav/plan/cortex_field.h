@@ -42,13 +42,16 @@ bool isFieldName(const std::filesystem::path& path);
 
 struct FieldComparison {
   int points = 0;
-  bool is_scaled = false;     ///< the imported field's rate is unknown: compared after the best scaling
-  double scale = 1;           ///< imported field over this one, by least squares
-  double relative_error = 0;  ///< |this - imported| / |imported|, of vectors, or of magnitudes if the file
-                              ///< has no others
-  double peak_ratio = 1;      ///< this maximum over the imported one, after scaling
+  bool is_scaled = false;     ///< the other field's rate is unknown: compared after the best scaling
+  double scale = 1;           ///< other field over this one, by least squares
+  double relative_error = 0;  ///< |this - other| / |other|, of vectors, or of magnitudes if the other file
+                              ///< has no vectors
+  double peak_ratio = 1;      ///< this maximum over the other one, after scaling
   double peak_shift_mm = 0;   ///< distance between both maxima
 };
+/// Compares two models of one head on its cortex, for a planned pose.
+FieldComparison compareModels(const HeadField& head, const HeadField& other, const FieldSurfaces& surfaces,
+                              const efield::CoilDipoles& coil, const guidance::Target& target);
 /// Compares with a field of a .vtp or .msh file on the same cortex. `rate_A_per_us`: that of the imported
 /// field. Throws Error if its points do not lie on this cortex (half of them within 5 mm).
 FieldComparison compareField(const HeadField& head, const FieldSurfaces& surfaces,

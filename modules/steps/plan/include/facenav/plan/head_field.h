@@ -13,6 +13,7 @@
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/efield/coil_dipoles.h"
+#include "facenav/prepare/case_field.h"
 
 namespace facenav::steps {
 
@@ -27,12 +28,6 @@ struct FieldSurfaces {
 };
 /// Reads them. Throws Error if the case has no brain.
 FieldSurfaces fieldSurfaces(const casefile::CaseStore& store);
-
-enum class FieldTier {
-  local_sphere = 0,  // a sphere fitted to the skull under the coil; at once
-  three_shells = 1,  // scalp, skull and brain of the case
-  four_shells = 2    // with the fluid round the brain
-};
 
 /// Model of a head.
 class HeadField {

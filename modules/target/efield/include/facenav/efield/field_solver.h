@@ -45,7 +45,8 @@ struct ReachablePoints {
   std::vector<bool> is_moved;
 };
 /// Moves points that lie outside `innermost`, or nearer to it than 0.4 edges of its triangles (2 mm on top),
-/// inwards to that depth: nearer to the surface the piecewise linear potential gives no field.
+/// inwards to that depth: nearer to the surface the piecewise linear potential gives no field. In a fold that
+/// is too thin for it they end near its middle.
 ReachablePoints reachablePoints(const ShellMesh& innermost, const Eigen::Matrix3Xd& points_mm);
 
 }  // namespace facenav::efield
