@@ -8,6 +8,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/shown_address.h"
 #include "facenav/core/standard_output.h"
 #include "help_format.h"
 #include "settings_flags.h"
@@ -40,7 +41,7 @@ void addVerbs(const VerbGroup& group, CLI::App& cli, Context& context) {
 }
 
 int wrongUsage(const std::string& what, const std::string& verb) {
-  std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", what.c_str(),
+  std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", shownAddress(what).c_str(),
                verb.empty() ? "" : (" " + verb).c_str());
   return 2;
 }
