@@ -1,15 +1,22 @@
 // facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs. CASE --as home -o FILE: the
 // case to take home.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
 #include "commands/home.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/standard_output.h"
+#include "typed_values.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
+namespace {
+
+constexpr const char* kHome = "home";
+
+}  // namespace
 
 void addExport(CLI::App& app, Context& context) {
   auto* verb =
@@ -27,7 +34,10 @@ void addExport(CLI::App& app, Context& context) {
           "one or more of: " + steps::namesOf(context.registrations.exporters) +
               "; or home: one file without MRI and name, with the face and the expert's pose, for use "
               "near home ('facenav import', 'facenav-gui --home')")
-      ->required();
+      ->required()
+      ->check(understoodBy([&context](const std::string& format) {
+        if (format != kHome) context.registrations.exporters.create(format);
+      }));
   verb->add_option("-o,--output", request->output, "folder to write into; of home: the file")->required();
   verb->add_option("--target", request->home.target,
                    "of home: the expert's pose ('facenav target --from-session'); default: the only one");
@@ -38,9 +48,18 @@ void addExport(CLI::App& app, Context& context) {
   verb->add_option("--by", request->home.by,
                    "of home: who releases it, kept in the file; default: \"clinic\"");
   verb->add_flag("--replace", request->replace, "overwrite files of the same name");
-  verb->callback([&context, request] {
+  verb->callback([&context, request, verb] {
+    auto& formats = request->formats;
+    std::sort(formats.begin(), formats.end());
+    formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
+    const bool is_home = std::count(formats.begin(), formats.end(), kHome) > 0;
+    if (is_home && formats.size() > 1)
+      throw WrongUsage("'home' is one file, not files in a folder", "export it alone");
+    for (const char* of_home : {"--target", "--coil", "--by"})
+      if (!is_home && verb->get_option(of_home)->count() > 0)
+        throw WrongUsage(std::string(of_home) + " does nothing here", "give it with --as home");
     const auto store = casefile::CaseStore::open(request->case_folder);
-    if (request->formats == std::vector<std::string>{"home"}) {
+    if (is_home) {
       request->home.output = request->output;
       request->home.replaces = request->replace;
       return exportHomeCase(context, store, request->home);

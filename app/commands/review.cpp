@@ -13,6 +13,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_review.h"
 #include "facenav/review/mep_import.h"
+#include "idle_options.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
 
@@ -243,7 +244,9 @@ void addPulses(CLI::App& app, Context& context) {
                    "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
       ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
       ->allow_extra_args(false);
-  verb->callback([&context, request] {
+  verb->callback([&context, request, verb] {
+    refuseIdle(*verb, {"--reason"}, {"--exclude", "--include"});
+    refuseIdle(*verb, {"--by"}, {"--exclude", "--include", "--mep", "--set-mep"});
     if (!request->exclude.empty() && request->reason.empty())
       throw WrongUsage("a pulse is excluded only with a reason", "give --reason");
     const auto store = casefile::CaseStore::open(request->case_folder);
