@@ -35,12 +35,6 @@ std::string faultOfText(const std::string& typed, Lines lines, bool may_be_empty
   return fault.empty() ? fault : "the text " + fault;
 }
 
-std::string faultOfPicture(const std::string& typed) {
-  const auto ending = lower(std::filesystem::path(typed).extension());
-  const bool is_file = typed != "-" && !std::filesystem::exists(typed);
-  return is_file && ending != ".png" ? "'" + shortened(typed) + "' is no name of a picture; write .png" : "";
-}
-
 /// A device or a pipe is refused at once, not after the work.
 std::string faultOfOutput(const std::string& typed) {
   namespace fs = std::filesystem;
@@ -67,8 +61,7 @@ void check(CLI::Option& option) {
   const bool is_prose = isNamed(option, {"--note", "--adverse-event", "--reason", "--override"});
   const bool may_be_empty = isNamed(option, {"--note", "--session", "LABEL", "--unit"});
   const Lines lines = is_prose ? Lines::many : Lines::one;
-  if (isNamed(option, {"--picture", "--slices", "--projected"}))
-    option.check(CLI::Validator(faultOfPicture, ""));
+  if (isNamed(option, {"--picture", "--slices", "--projected"})) option.check(namedLike({".png"}, "picture"));
   if (option.check_sname("o")) option.check(CLI::Validator(faultOfOutput, ""));
   // The first of the option's checks: a range would call "3,5" too large.
   option.transform(CLI::Validator(
@@ -89,6 +82,20 @@ CLI::Validator understoodBy(std::function<void(const std::string&)> read) {
           return error.what();
         }
         return {};
+      },
+      "");
+}
+
+CLI::Validator namedLike(const std::vector<std::string>& endings, const std::string& what) {
+  return CLI::Validator(
+      [=](std::string& typed) -> std::string {
+        namespace fs = std::filesystem;
+        std::error_code ignored;
+        const bool is_file =
+            typed != "-" && (!fs::exists(typed, ignored) || fs::is_regular_file(typed, ignored));
+        const std::string ending = lower(fs::path(typed).extension());
+        if (!is_file || std::count(endings.begin(), endings.end(), ending) > 0) return {};
+        return "'" + shortened(typed) + "' is no name of a " + what + "; write " + endings.front();
       },
       "");
 }

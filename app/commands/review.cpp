@@ -1,5 +1,6 @@
 // facenav sessions CASE and facenav pulses CASE: the stored data of a case's sessions.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -247,6 +248,9 @@ void addPulses(CLI::App& app, Context& context) {
   verb->callback([&context, request, verb] {
     refuseIdle(*verb, {"--reason"}, {"--exclude", "--include"});
     refuseIdle(*verb, {"--by"}, {"--exclude", "--include", "--mep", "--set-mep"});
+    for (const int number : request->exclude)
+      if (std::count(request->include.begin(), request->include.end(), number) > 0)
+        throw WrongUsage("pulse " + std::to_string(number) + " is excluded and included", "choose one");
     if (!request->exclude.empty() && request->reason.empty())
       throw WrongUsage("a pulse is excluded only with a reason", "give --reason");
     const auto store = casefile::CaseStore::open(request->case_folder);

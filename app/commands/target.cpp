@@ -121,7 +121,8 @@ void addLocate(CLI::App& app, Context&) {
     requirePlace(*place);
     const auto store = casefile::CaseStore::open(place->case_folder);
     const auto p = toMri(store, *place);
-    const double outside_mm = surface::outsideHead_mm(store.headMask(), store.scalp(), p);
+    const double outside_mm =
+        store.hasMri() ? surface::outsideHead_mm(store.headMask(), store.scalp(), p) : 0.0;
     if (*is_json) {
       Json json = placeJson(store, p);
       json["outside_head_mm"] = tenth(std::max(0.0, outside_mm));

@@ -74,6 +74,7 @@ TEST_F(CommandValues, AnOptionThatWouldDoNothingIsWrongUsage) {
            {"track x" + o + " --intensity 50", "give it with --pulses or --live"},
            {"track x" + o + " --commands", "--commands does nothing here"},
            {"pulses " + c + " --reason moved", "give it with --exclude or --include"},
+           {"pulses " + c + " --exclude 3 --include 3 --reason moved", "pulse 3 is excluded and included"},
            {"cameras --left rtsp://doe:secret@host", "give it with --try or --latency"},
            {"export " + c + o + " --as stl --target M1", "give it with --as home"}})
     expectWrongUsage(words, named);
@@ -84,6 +85,8 @@ TEST_F(CommandValues, NamesOfFormatsAndPicturesAreCheckedBeforeTheWork) {
   expectWrongUsage("export " + c + " --as foo" + o, "unknown export format 'foo'");
   expectWrongUsage("export " + c + " --as home --as stl" + o, "'home' is one file");
   expectWrongUsage("plan " + c + " --picture " + at("a.jpg").string(), "write .png");
+  expectWrongUsage("report " + c + " -o " + at("a.pdf").string(), "write .html");
+  expectWrongUsage("report " + c + " --pdf-file " + at("a.txt").string(), "write .pdf");
   casefile::CaseStore::create(at("case"), ballCase(), {}, false);
   EXPECT_EQ(runFacenav("export " + at("case").string() + " --as stl --as stl" + o).status, 0)
       << "a format that is named twice is written once";
