@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QtTest/QTest>
 #include <cstdlib>
 
+#include "facenav/capture/stream_logins.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/fitted_words.h"
@@ -18,6 +20,7 @@
 #include "setup/setup_window.h"
 #include "shell/appearance.h"
 #include "support/setup_room.h"
+#include "treat/chosen_cameras.h"
 
 namespace facenav::ui {
 namespace {
