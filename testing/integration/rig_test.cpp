@@ -11,7 +11,6 @@
 #include "facenav/casefile/case_store.h"
 #include "support/ball_case.h"
 #include "support/board_scene.h"
-#include "support/camera_contract.h"
 #include "support/command_line.h"
 #include "support/jpeg_server.h"
 #include "unit/track/coil_tracking/tracked_once.h"
@@ -149,7 +148,7 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
 TEST_F(RigVerb, APasswordTypedWithAnAddressIsInNoMessageAndInOneFileOnly) {
   ::setenv("XDG_CONFIG_HOME", (folder_.path() / "configuration").c_str(), 1);
   const JpegServer::Picture picture = [](int i) {
-    return JpegServer::largeJpeg(numberedPicture(640, 480, i));
+    return JpegServer::largeJpeg(cv::Mat(480, 640, CV_8U, cv::Scalar(60 + i % 50)));
   };
   JpegServer left(picture), right(picture);
   const auto address = [](const JpegServer& server, const std::string& login) {
