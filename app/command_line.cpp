@@ -4,10 +4,12 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <regex>
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/core/shown_address.h"
 #include "facenav/core/standard_output.h"
 #include "help_format.h"
 #include "settings_flags.h"
@@ -39,8 +41,16 @@ void addVerbs(const VerbGroup& group, CLI::App& cli, Context& context) {
   }
 }
 
+/// "0.000000 to 20.000000", as CLI11 writes a range, in plain numbers.
+std::string inPlainNumbers(const std::string& words) {
+  static const std::regex kZeros("(\\d\\.\\d*?)0+(?= |$)"), kPoint("(\\d)\\.(?= |$)");
+  return words.find(" not in range ") == std::string::npos
+             ? words
+             : std::regex_replace(std::regex_replace(words, kZeros, "$1"), kPoint, "$1");
+}
+
 int wrongUsage(const std::string& what, const std::string& verb) {
-  std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", what.c_str(),
+  std::fprintf(stderr, "facenav: %s (see 'facenav%s --help')\n", shownAddress(inPlainNumbers(what)).c_str(),
                verb.empty() ? "" : (" " + verb).c_str());
   return 2;
 }

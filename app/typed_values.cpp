@@ -1,5 +1,6 @@
 #include "typed_values.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "facenav/core/error.h"
@@ -9,15 +10,27 @@
 namespace facenav::app {
 namespace {
 
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 std::string shortened(const std::string& text) {
   return text.size() <= 40 ? text : text.substr(0, 40) + "..";
 }
 
 std::string faultOfNumber(const std::string& typed) {
-  return numberIn(typed) ? std::string() : "'" + shortened(typed) + "' is no number that can be used";
+  if (numberIn(typed)) return {};
+  std::string with_point = typed;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  const bool is_comma = with_point != typed && numberIn(with_point);
+  return "'" + shortened(typed) + "' is no number that can be used" +
+         (is_comma ? "; write " + with_point : "");
 }
 
-std::string faultOfText(const std::string& typed, Lines lines) {
+/// Empty where a script's variable was not set. Where nothing is a value, it takes something back.
+std::string faultOfText(const std::string& typed, Lines lines, bool may_be_empty) {
+  if (typed.empty() && !may_be_empty) return "the text is empty: give one, or leave the option out";
   const std::string fault = faultOfWords(typed, kLongestNote, lines);
   return fault.empty() ? fault : "the text " + fault;
 }
@@ -36,22 +49,24 @@ std::string faultOfOutput(const std::string& typed) {
 
 bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
-/// Returns true for options that take what people write at length.
-bool takesLines(const CLI::Option& option) {
-  for (const char* name : {"note", "adverse-event", "reason", "override"})
-    if (option.check_lname(name)) return true;
-  return false;
+bool isNamed(const CLI::Option& option, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* name) { return option.check_name(name); });
 }
 
 void check(CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (option.get_expected_max() == 0 || type.empty()) return;  // a flag
   const bool is_number = startsWith(type, "FLOAT") || startsWith(type, "INT") || startsWith(type, "UINT");
-  const Lines lines = takesLines(option) ? Lines::many : Lines::one;
+  // What people write at length, and what may be taken back by nothing.
+  const bool is_prose = isNamed(option, {"--note", "--adverse-event", "--reason", "--override"});
+  const bool may_be_empty = isNamed(option, {"--note", "--session", "LABEL", "--unit"});
+  const Lines lines = is_prose ? Lines::many : Lines::one;
+  if (isNamed(option, {"--picture", "--slices", "--projected"})) option.check(namedLike({".png"}, "picture"));
   if (option.check_sname("o")) option.check(CLI::Validator(faultOfOutput, ""));
-  option.check(CLI::Validator(
-      [is_number, lines](std::string& typed) {
-        return is_number ? faultOfNumber(typed) : faultOfText(typed, lines);
+  // The first of the option's checks: a range would call "3,5" too large.
+  option.transform(CLI::Validator(
+      [=](std::string& typed) {
+        return is_number ? faultOfNumber(typed) : faultOfText(typed, lines, may_be_empty);
       },
       ""));
 }
@@ -67,6 +82,20 @@ CLI::Validator understoodBy(std::function<void(const std::string&)> read) {
           return error.what();
         }
         return {};
+      },
+      "");
+}
+
+CLI::Validator namedLike(const std::vector<std::string>& endings, const std::string& what) {
+  return CLI::Validator(
+      [=](std::string& typed) -> std::string {
+        namespace fs = std::filesystem;
+        std::error_code ignored;
+        const bool is_file =
+            typed != "-" && (!fs::exists(typed, ignored) || fs::is_regular_file(typed, ignored));
+        const std::string ending = lower(fs::path(typed).extension());
+        if (!is_file || std::count(endings.begin(), endings.end(), ending) > 0) return {};
+        return "'" + shortened(typed) + "' is no name of a " + what + "; write " + endings.front();
       },
       "");
 }

@@ -22,6 +22,9 @@ CLI::Validator namedIn(const Registry<Interface>& registry) {
 /// Check of an option that names a folder to make: refuses "-", standard output.
 CLI::Validator folderToMake();
 
+/// Check of an option that names a file to write: its name ends so ("a report"), or it is standard output.
+CLI::Validator namedLike(const std::vector<std::string>& endings, const std::string& what);
+
 /// Returns true if `-o -` is among the words, or another file to write as "-": it goes to standard output.
 bool asksForStandardOutput(const std::vector<std::string>& words);
 

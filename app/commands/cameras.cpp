@@ -10,6 +10,7 @@
 #include "commands/picture_size.h"
 #include "facenav/capture/camera_backend.h"
 #include "facenav/capture/camera_pair_source.h"
+#include "idle_options.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
@@ -96,7 +97,8 @@ void addCameras(CLI::App& app, Context& context) {
   verb->add_option("--rate", request->frames_per_s, "pictures a second")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 1000.0));
-  verb->callback([request, &context] {
+  verb->callback([request, &context, verb] {
+    refuseIdle(*verb, {"--left", "--right", "--size", "--rate"}, {"--try", "--latency"});
     if (request->has_latency && request->left.empty())
       throw WrongUsage("--latency needs a camera", "give it with --left");
     if (request->try_s > 0 && (request->left.empty() || request->right.empty()))

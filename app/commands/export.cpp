@@ -1,6 +1,7 @@
 // facenav export CASE --as stl -o FOLDER: surfaces and masks for other programs. CASE --as brainsight -o
 // FILE: targets and pulses for another navigator. CASE --as home -o FILE: the case to take home.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
@@ -8,11 +9,13 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/standard_output.h"
 #include "facenav/plan/export_other.h"
+#include "typed_values.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
-
 namespace {
+
+constexpr const char* kHome = "home";
 
 struct ExportRequest {
   std::filesystem::path case_folder, output;
@@ -74,7 +77,10 @@ void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) 
               "; or one for another program: " + interop::namesOfWritten() +
               "; or home: one file without MRI and name, with the face and the expert's pose, for use "
               "near home ('facenav import', 'facenav-gui --home')")
-      ->required();
+      ->required()
+      ->check(understoodBy([&context](const std::string& format) {
+        if (format != kHome && !isOther(format)) context.registrations.exporters.create(format);
+      }));
   verb.add_option(
       "-o,--output", request.output,
       "folder to write surfaces into; else the file (for another program by default here, under its usual "
@@ -93,6 +99,19 @@ void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) 
   verb.add_flag("--replace", request.replace, "overwrite files of the same name");
 }
 
+/// Refuses options that the formats do not use.
+void requireUsedOptions(const CLI::App& verb, const ExportRequest& request, bool is_home, bool is_other) {
+  const auto refuse = [&verb](const std::string& option, bool is_used, const char* remedy) {
+    if (!is_used && verb.get_option(option)->count() > 0)
+      throw WrongUsage(option + " does nothing here", remedy);
+  };
+  if (is_home && request.formats.size() > 1)
+    throw WrongUsage("'home' is one file, not files in a folder", "export it alone");
+  for (const char* of_home : {"--coil", "--by"}) refuse(of_home, is_home, "give it with --as home");
+  refuse("--target", is_home || is_other, "give it with --as home or the format of another program");
+  refuse("--session", is_other, "give it with the format of another program");
+}
+
 }  // namespace
 
 void addExport(CLI::App& app, Context& context) {
@@ -102,11 +121,16 @@ void addExport(CLI::App& app, Context& context) {
                          "pulses for other navigators; a case to take home");
   auto request = std::make_shared<ExportRequest>();
   addOptions(*verb, *request, context);
-  verb->callback([&context, request] {
+  verb->callback([&context, request, verb] {
+    auto& formats = request->formats;
+    std::sort(formats.begin(), formats.end());
+    formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
+    const bool is_home = std::count(formats.begin(), formats.end(), kHome) > 0;
+    const bool is_other = std::any_of(formats.begin(), formats.end(), isOther);
+    requireUsedOptions(*verb, *request, is_home, is_other);
     const auto store = casefile::CaseStore::open(request->case_folder);
-    if (request->formats == std::vector<std::string>{"home"}) return exportHome(context, store, *request);
-    for (const auto& format : request->formats)
-      if (isOther(format)) return exportOther(context, store, *request);
+    if (is_home) return exportHome(context, store, *request);
+    if (is_other) return exportOther(context, store, *request);
     exportSurfaces(context, store, *request);
   });
 }

@@ -187,9 +187,10 @@ void addFieldOptions(CLI::App& verb, FieldRequest& request) {
           ->check(CLI::Range(1.0, 100.0))
           ->needs(hotspot);
   hotspot->needs(threshold);
+  auto* json = verb.add_flag("--json", request.is_json, "as JSON");
   verb.add_flag("--arrows", request.shows_arrows,
-                "with --json: the direction of the coil's current as arrows");
-  verb.add_flag("--json", request.is_json, "as JSON");
+                "with --json: the direction of the coil's current as arrows")
+      ->needs(json);
 }
 
 }  // namespace

@@ -118,7 +118,8 @@ void addGuide(CLI::App& app, Context& context) {
   verb->add_option("--frame", request->frame, "of --projected; default: the last one with the head tracked")
       ->needs(projected);
   verb->add_flag("--json", request->is_json, "the result as JSON");
-  verb->callback([&context, request, session] {
+  verb->callback([&context, request, session, verb] {
+    refuseIdleSession(*verb);
     if (!session->live.rig.empty()) return guideLive(*request, *session, context);
     if (request->poses.empty())
       throw WrongUsage("it is not said what to guide", "give POSES (poses.csv), or --live RIG");

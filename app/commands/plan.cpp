@@ -30,6 +30,7 @@
 #include "facenav/scene/png.h"
 #include "facenav/volume/map_peak.h"
 #include "facenav/volume/nifti.h"
+#include "idle_options.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
 
@@ -292,15 +293,26 @@ void addTargetOptions(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--on", request.grid_on, "the grid is measured on: scalp, cortex")
       ->check(CLI::IsMember({"scalp", "cortex"}))
       ->capture_default_str();
-  verb.add_flag("--no-grid", request.removes_grid, "removes its grid; edited targets stay");
+  verb.add_flag("--no-grid", request.removes_grid, "removes its grid; edited targets stay")
+      ->excludes(verb.get_option("--grid"));
   verb.add_flag("--duplicate", request.duplicates, "a copy of it");
   verb.add_flag("--mirror", request.mirrors, "the same on the other side of the head");
   verb.add_flag("--lock", request.locks, "it cannot be changed");
-  verb.add_flag("--unlock", request.unlocks, "it can be changed again");
+  verb.add_flag("--unlock", request.unlocks, "it can be changed again")->excludes(verb.get_option("--lock"));
   verb.add_flag("--remove", request.removes, "removes it, and its grid but for edited targets");
   verb.add_option_function<std::string>(
       "--note", [&request](const std::string& note) { request.note = note, request.has_note = true; },
       "its note");
+}
+
+void refuseIdleOptions(const CLI::App& verb) {
+  refuseIdle(verb, {"--name", "--handle-deg", "--gap-mm"}, {"--preset", "--peak"});
+  refuseIdle(verb, {"--lowest", "--radius-mm", "--map-space"}, {"--peak"});
+  refuseIdle(verb, {"--spacing-mm", "--on"}, {"--grid"});
+  refuseIdle(verb, {"--threshold", "--full", "--opacity", "--unit"}, {"--overlay", "--overlay-name"});
+  refuseIdle(verb, {"--target"},
+             {"--grid", "--no-grid", "--duplicate", "--mirror", "--lock", "--unlock", "--remove", "--note",
+              "--picture", "--slices"});
 }
 
 }  // namespace
@@ -333,11 +345,12 @@ void addPlan(CLI::App& app, Context& context) {
                    "writes a protocol file to fill in, and nothing else ('-': standard output)");
   verb->add_option("--by", request->by, "who makes the change (default: the user's login name)");
   verb->add_flag("--json", request->is_json, "JSON");
-  verb->callback([&context, request, folder] {
+  verb->callback([&context, request, folder, verb] {
     if (request->lists_presets) return printPresets(request->is_json);
     if (!request->protocol_template.empty())
       return casefile::writeProtocolTemplate(request->protocol_template);
     if (folder->empty()) throw CLI::RequiredError("CASE");
+    refuseIdleOptions(*verb);
     PlanSteps(*request, context.is_quiet).run();
   });
 }

@@ -14,6 +14,7 @@
 #include "facenav/report/session_report.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
+#include "typed_values.h"
 #include "virtual_display.h"
 #include "wrong_usage.h"
 
@@ -86,9 +87,11 @@ void addReport(CLI::App& app, Context& context) {
   auto request = std::make_shared<ReportRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("SESSION", request->session, "its name, or how it begins; default: the newest");
-  verb->add_option("-o,--output", request->output, "report.html to write; default: in the session's folder");
+  verb->add_option("-o,--output", request->output, "report.html to write; default: in the session's folder")
+      ->check(namedLike({".html", ".htm"}, "report"));
   verb->add_flag("--pdf", request->is_pdf_wanted, "also as PDF, beside it");
-  verb->add_option("--pdf-file", request->pdf, "also as PDF, into this file");
+  verb->add_option("--pdf-file", request->pdf, "also as PDF, into this file")
+      ->check(namedLike({".pdf"}, "PDF"));
   verb->add_flag("--no-pictures", request->has_no_pictures, "without pictures of the pulses on the cortex");
   verb->add_flag("--with-name", request->options.has_name, "adds the case's label (it may be a name)");
   verb->callback([&context, request] { makeReport(*request, context); });

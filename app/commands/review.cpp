@@ -1,5 +1,6 @@
 // facenav sessions CASE and facenav pulses CASE: the stored data of a case's sessions.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_review.h"
 #include "facenav/review/mep_import.h"
+#include "idle_options.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
 
@@ -243,7 +245,12 @@ void addPulses(CLI::App& app, Context& context) {
                    "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
       ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
       ->allow_extra_args(false);
-  verb->callback([&context, request] {
+  verb->callback([&context, request, verb] {
+    refuseIdle(*verb, {"--reason"}, {"--exclude", "--include"});
+    refuseIdle(*verb, {"--by"}, {"--exclude", "--include", "--mep", "--set-mep"});
+    for (const int number : request->exclude)
+      if (std::count(request->include.begin(), request->include.end(), number) > 0)
+        throw WrongUsage("pulse " + std::to_string(number) + " is excluded and included", "choose one");
     if (!request->exclude.empty() && request->reason.empty())
       throw WrongUsage("a pulse is excluded only with a reason", "give --reason");
     const auto store = casefile::CaseStore::open(request->case_folder);

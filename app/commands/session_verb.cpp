@@ -8,6 +8,7 @@
 #include "commands/session_teller.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/session_return.h"
+#include "idle_options.h"
 #include "json_output.h"
 #include "wrong_usage.h"
 
@@ -101,6 +102,10 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
                 "takes commands on standard input, and tells each pulse that is on the disk as a line of "
                 "JSON: " +
                     sessionCommandWords());
+}
+
+void refuseIdleSession(const CLI::App& verb) {
+  refuseIdle(verb, {"--intensity", "--by", "--override", "--continue", "--commands"}, {"--pulses", "--live"});
 }
 
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {

@@ -34,6 +34,8 @@ struct SessionVerb {
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
+/// Throws WrongUsage if an option of a session was given where none runs.
+void refuseIdleSession(const CLI::App& verb);
 /// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
 /// on stderr, one line each. The session is stored in each case. Throws Error.
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);

@@ -1,6 +1,7 @@
 // facenav locate CASE and facenav target CASE: a place of the brain in MRI and MNI coordinates with its
 // labels, and a new target at that place, or at the coil's pose in a session.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
@@ -12,6 +13,7 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/handle.h"
 #include "facenav/plan/plan_edits.h"
+#include "facenav/surface/outside_head.h"
 #include "json_output.h"
 #include "wrong_usage.h"
 
@@ -119,7 +121,15 @@ void addLocate(CLI::App& app, Context&) {
     requirePlace(*place);
     const auto store = casefile::CaseStore::open(place->case_folder);
     const auto p = toMri(store, *place);
-    *is_json ? printJson(placeJson(store, p)) : print(store, p);
+    const double outside_mm =
+        store.hasMri() ? surface::outsideHead_mm(store.headMask(), store.scalp(), p) : 0.0;
+    if (*is_json) {
+      Json json = placeJson(store, p);
+      json["outside_head_mm"] = tenth(std::max(0.0, outside_mm));
+      return printJson(json);
+    }
+    print(store, p);
+    if (outside_mm > 0) std::printf("outside   %.0f mm outside the head\n", outside_mm);
   });
 }
 
@@ -142,6 +152,8 @@ void addTarget(CLI::App& app, Context& context) {
       "name of the target; one of the same name is replaced; with --from-session: \"expert\" and the "
       "session's target where none is given");
   addExpertOptions(*verb, request->expert);
+  for (const char* place_of : {"--mni", "--ras"})
+    verb->get_option("--from-session")->excludes(verb->get_option(place_of));
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->add_option("--handle-deg", request->handle_deg, "handle, from anterior towards the midline")
       ->check(CLI::Range(-180.0, 180.0))

@@ -8,6 +8,7 @@
 #include "commands/session_verb.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/track_recording.h"
+#include "idle_options.h"
 #include "json_output.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
@@ -120,7 +121,11 @@ void addTrack(CLI::App& app, Context& context) {
   verb->add_option("--target", session->target, "of a session: the target; default: the case's first one");
   addPlaying(*verb, *session);
   verb->add_flag("--json", session->is_json, "the result as JSON");
-  verb->callback([&context, request, output, session] { run(*request, *session, *output, context); });
+  verb->callback([&context, request, output, session, verb] {
+    refuseIdleSession(*verb);
+    refuseIdle(*verb, {"--speed", "--passes", "--target"}, {"--pulses", "--live"});
+    run(*request, *session, *output, context);
+  });
 }
 
 }  // namespace facenav::app

@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QtTest/QTest>
 #include <cstdlib>
 
+#include "facenav/capture/stream_logins.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "home/fitted_words.h"
@@ -18,6 +20,7 @@
 #include "setup/setup_window.h"
 #include "shell/appearance.h"
 #include "support/setup_room.h"
+#include "treat/chosen_cameras.h"
 
 namespace facenav::ui {
 namespace {
@@ -183,6 +186,24 @@ TEST_F(SetupTest, WhatIsWrongWithATypedAddressStandsAtItsField) {
   setup.lookForCameras();
   ASSERT_TRUE(fixtures::waitFor([&] { return !tasks.isRunning(); }));
   EXPECT_EQ(setup.left(), "rtsp://host/left") << "no search finds an address, and none forgets it";
+}
+
+TEST_F(SetupTest, APasswordThatWasTypedIsNotShownAgainAndNotKeptInTheSettings) {
+  services_.listCameras = [](capture::Search) { return std::vector<capture::FoundCamera>(); };
+  TaskRunner tasks;
+  SetupPresenter setup(services_, tasks);
+  setup.choose("rtsp://doe:secret@host/left", "/no/such:secret@folder");
+  EXPECT_EQ(setup.left(), "rtsp://doe@host/left");
+  EXPECT_EQ(setup.trouble(SetupField::left), "");
+  EXPECT_EQ(capture::StreamLogins().openingAddress(capture::streamIdentity(setup.left().toStdString())),
+            "rtsp://doe:secret@host/left");
+  ChosenCameras chosen(services_, tasks);
+  chosen.choose("rtsp://doe:secret@host/left", "rtsp://doe:secret@host/right");
+  EXPECT_EQ(chosen.right(), "rtsp://doe@host/right");
+  for (const QString& key : QSettings().allKeys())
+    EXPECT_FALSE(QSettings().value(key).toString().contains("secret")) << key.toStdString();
+  QSettings().setValue("cameras/left_name", "rtsp://doe:secret@host/left");  // of an earlier version
+  EXPECT_EQ(ChosenCameras(services_, tasks).left(), "rtsp://doe@host/left");
 }
 
 TEST_F(SetupTest, AnAddressIsTypedInTheWindow) {

@@ -32,6 +32,19 @@ namespace {
 
 using namespace treat_fixtures;
 
+/// Opens a planned case and a recording, and aligns it: its session runs from then on.
+void runAligned(TreatPresenter& treat, CaseModel& model, TaskRunner& tasks,
+                const std::filesystem::path& folder, int frames) {
+  TaskMonitor monitor;
+  model.open(loadCase(plannedCase(folder, true), monitor));
+  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
+  treat.openRecording(QString::fromStdString(writeRecording(folder, frames).string()));
+  settle();
+  treat.align(true);
+  settle();
+  settle();
+}
+
 TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   testing::TemporaryFolder folder;
@@ -51,14 +64,7 @@ TEST(Treat, TheWindowNeitherDrawsTheCameraPicturesNorWaitsForThem) {
   TreatWorkspace workspace(treat, model);
   workspace.resize(1400, 900);
   workspace.show();
-  TaskMonitor monitor;
-  model.open(loadCase(plannedCase(folder.path(), true), monitor));
-  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
-  treat.openRecording(QString::fromStdString(writeRecording(folder.path(), 800).string()));
-  settle();
-  treat.align(true);
-  settle();
-  settle();
+  runAligned(treat, model, tasks, folder.path(), 800);
   const auto* figures = workspace.findChild<FiguresPanel*>();
   const auto* row = workspace.findChild<CameraRow*>();
   // An overlay is being drawn meanwhile.
@@ -86,14 +92,7 @@ TEST(Treat, TheCameraPicturesAreShownHoweverSlowlyTheSceneIsRendered) {
   TreatWorkspace workspace(treat, model);
   workspace.resize(1400, 900);
   workspace.show();
-  TaskMonitor monitor;
-  model.open(loadCase(plannedCase(folder.path(), true), monitor));
-  const auto settle = [&] { fixtures::waitFor([&] { return !tasks.isRunning(); }); };
-  treat.openRecording(QString::fromStdString(writeRecording(folder.path(), 800).string()));
-  settle();
-  treat.align(true);
-  settle();
-  settle();
+  runAligned(treat, model, tasks, folder.path(), 800);
   ASSERT_TRUE(fixtures::waitFor([&] { return treat.isRunning(); }));
   const auto* row = workspace.findChild<CameraRow*>();
   int drawn = 0, shown = 0, scenes = 0;

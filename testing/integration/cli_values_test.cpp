@@ -42,6 +42,59 @@ TEST_F(CommandValues, NumbersThatAreNoneAreRefusedWhereTheyAreTyped) {
   }
 }
 
+TEST_F(CommandValues, ADecimalCommaAndANumberOutOfRangeAreSaidPlainly) {
+  const std::string c = at("none").string();
+  expectWrongUsage("target " + c + " --ras 1 2 3 --name M1 --gap-mm 3,5", "write 3.5");
+  expectWrongUsage("target " + c + " --ras 1 2 3 --name M1 --gap-mm 21", "not in range 0 to 20 (see");
+}
+
+TEST_F(CommandValues, AnEmptyTextIsRefused) {
+  const std::string c = at("none").string();
+  for (const char* words :
+       {"check CASE --by ''", "plan CASE --preset m1-hand-left --name ''", "plan ''", "report CASE -o ''",
+        "target CASE --from-session ''", "cameras --try 1 --left ''"}) {
+    std::string typed = words;
+    if (const auto at = typed.find("CASE"); at != std::string::npos) typed.replace(at, 4, c);
+    expectWrongUsage(typed, "the text is empty");
+  }
+}
+
+TEST_F(CommandValues, AnOptionThatWouldDoNothingIsWrongUsage) {
+  const std::string c = at("none").string(), o = " -o " + at("out").string();
+  for (const auto& [words, named] : std::vector<std::pair<std::string, std::string>>{
+           {"plan " + c + " --name M1", "--name does nothing here; give it with --preset or --peak"},
+           {"plan " + c + " --gap-mm 2", "--gap-mm does nothing here"},
+           {"plan " + c + " --target M1", "--target does nothing here"},
+           {"plan " + c + " --target M1 --spacing-mm 5", "give it with --grid"},
+           {"plan " + c + " --threshold 3", "give it with --overlay or --overlay-name"},
+           {"plan " + c + " --target M1 --lock --unlock", "excludes"},
+           {"plan " + c + " --target M1 --grid 3 3 --no-grid", "excludes"},
+           {"target " + c + " --from-session newest --ras 1 2 3", "excludes"},
+           {"field " + c + " --target M1 --coil round --arrows", "requires --json"},
+           {"track x" + o + " --intensity 50", "give it with --pulses or --live"},
+           {"track x" + o + " --commands", "--commands does nothing here"},
+           {"pulses " + c + " --reason moved", "give it with --exclude or --include"},
+           {"pulses " + c + " --exclude 3 --include 3 --reason moved", "pulse 3 is excluded and included"},
+           {"cameras --left rtsp://doe:secret@host", "give it with --try or --latency"},
+           {"export " + c + o + " --as stl --target M1", "give it with --as home"}})
+    expectWrongUsage(words, named);
+}
+
+TEST_F(CommandValues, NamesOfFormatsAndPicturesAreCheckedBeforeTheWork) {
+  const std::string c = at("none").string(), o = " -o " + at("out").string();
+  expectWrongUsage("export " + c + " --as foo" + o, "unknown export format 'foo'");
+  expectWrongUsage("export " + c + " --as home --as stl" + o, "'home' is one file");
+  expectWrongUsage("plan " + c + " --picture " + at("a.jpg").string(), "write .png");
+  expectWrongUsage("report " + c + " -o " + at("a.pdf").string(), "write .html");
+  expectWrongUsage("report " + c + " --pdf-file " + at("a.txt").string(), "write .pdf");
+  casefile::CaseStore::create(at("case"), ballCase(), {}, false);
+  EXPECT_EQ(runFacenav("export " + at("case").string() + " --as stl --as stl" + o).status, 0)
+      << "a format that is named twice is written once";
+  const auto folder = runFacenav("plan " + at("case").string() + " --overlay " + at("case").string());
+  EXPECT_EQ(folder.status, 1);
+  EXPECT_THAT(folder.errors, HasSubstr("is a folder, a file was expected"));
+}
+
 TEST_F(CommandValues, NamesWithControlCharactersAndEndlessOnesAreRefused) {
   const std::string c = at("none").string();
   expectWrongUsage("target " + c + " --ras 1 2 3 --name 'a\x1b[2Jb'", "control character");

@@ -12,6 +12,7 @@
 #include "support/ball_case.h"
 #include "support/board_scene.h"
 #include "support/command_line.h"
+#include "support/jpeg_server.h"
 #include "unit/track/coil_tracking/tracked_once.h"
 
 namespace facenav::testing {
@@ -142,6 +143,42 @@ TEST_F(RigVerb, KeepsTwoStreamsAndLooksThroughThem) {
   EXPECT_THAT(
       runFacenav("rig check bar --left " + at("same.png") + " --right " + at("same.png") + rigs()).errors,
       HasSubstr("to check with a board, give --board and --square"));
+}
+
+TEST_F(RigVerb, APasswordTypedWithAnAddressIsInNoMessageAndInOneFileOnly) {
+  ::setenv("XDG_CONFIG_HOME", (folder_.path() / "configuration").c_str(), 1);
+  const JpegServer::Picture picture = [](int i) {
+    return JpegServer::largeJpeg(cv::Mat(480, 640, CV_8U, cv::Scalar(60 + i % 50)));
+  };
+  JpegServer left(picture), right(picture);
+  const auto address = [](const JpegServer& server, const std::string& login) {
+    return "http://" + login + "@" + server.url().substr(7);
+  };
+  const std::string cameras =
+      "--left-camera " + address(left, "doe:Sesame") + " --right-camera " + address(right, "doe:Sesame");
+  std::string words;
+  const auto expectDone = [&](const CommandResult& result, int status) {
+    EXPECT_EQ(result.status, status) << result.errors;
+    words += result.output + result.errors;
+  };
+  expectDone(make(cameras), 0);
+  expectDone(runFacenav("rig list --json" + rigs()), 0);
+  expectDone(runFacenav("record --rig bar --seconds 1 -o " + at("film") + rigs()), 0);
+  left.switchOff(true);
+  const std::string silent = "--left rtsp://doe:Sesame@127.0.0.1:9/l --right rtsp:/doe:Sesame@127.0.0.1";
+  expectDone(runFacenav("rig check bar --live 1 --board 9x6 --square 20" + rigs()), 1);
+  expectDone(runFacenav("cameras --quick --try 1 --size 640x480 " + silent), 1);
+  expectDone(
+      runFacenav("record --seconds 1 --calibration " + at("stereo.yml") + " -o " + at("no") + " " + silent),
+      1);
+  expectDone(runFacenav("cameras rtsp://doe:Sesame@host/left"), 2);
+  ::unsetenv("XDG_CONFIG_HOME");
+  EXPECT_THAT(words, HasSubstr("http://doe@127.0.0.1"));
+  EXPECT_THAT(words, ::testing::Not(HasSubstr("Sesame")));
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+    if (entry.is_regular_file() && readText(entry.path()).find("Sesame") != std::string::npos) {
+      EXPECT_EQ(entry.path().filename(), "stream_logins.json");
+    }
 }
 
 /// Two videos of the coil's marker at rest replace the cameras of a kept rig, whose right one has turned

@@ -4,6 +4,7 @@
 #include "gui/home_fixtures.h"
 #include "jobs.h"
 #include "registrations.h"
+#include "support/command_line.h"
 
 namespace facenav::walk {
 namespace {
@@ -37,6 +38,13 @@ void Patient::prepare(const fs::path& input, TaskMonitor& monitor) {
   order.input = input;
   order.case_folder = prepared_;
   ui::servicesWith(app::makeRegistrations).prepareCase(order, monitor);
+}
+
+fs::path Patient::roomRecording() {
+  const fs::path recording = folder_.path() / "room";
+  if (!fs::exists(recording))
+    testing::runFacenav("simulate still --frames 60 -q -o '" + recording.string() + "'");
+  return recording;
 }
 
 ui::Services Patient::services() {

@@ -57,17 +57,17 @@ void lookAtSetUp(Robot& robot, MainWindow& window, const Look& look) {
       [&] { return !set_up || !set_up->isVisible(); });
 }
 
-void align(Robot& robot, MainWindow& window, const Patient& patient) {
+void align(Robot& robot, MainWindow& window, const fs::path& recording) {
   robot.step(
       "recording", Page::stays,
       [&] {
-        robot.answerFolder(pathOf(patient.recording()));
+        robot.answerFolder(pathOf(recording));
         robot.press("Open a recording\u2026");
       },
       [&] { return window.treat().hasRecording() && !window.tasks().isRunning(); });
   robot.step(
       "aligned", Page::changes, [&] { robot.press("2 Align"); },
-      [&] { return window.treat().isAligned() && !window.tasks().isRunning(); });
+      [&] { return window.treat().isAligned() && !window.tasks().isRunning(); }, 120000);
 }
 
 void guide(Robot& robot, MainWindow& window) {
@@ -108,15 +108,8 @@ void endAndReport(Robot& robot, MainWindow& window) {
       [&] { return part<QTextBrowser>(window, "report") == nullptr; });
 }
 
-}  // namespace
-
-void treat(Patient& patient, const Look& look) {
-  QSettings().clear();
-  const fs::path cases = patient.casesFolder(std::string("treated ") + look.name);
-  MainWindow window(atTarget(patient.services(), cases / "patient"));
-  window.show();
-  window.setCasesFolder(pathOf(cases));
-  Robot robot(window, "clinician", look);
+/// Opens the case from the worklist and goes to Treat.
+void openCase(Robot& robot, MainWindow& window) {
   robot.step(
       "start", Page::changes, [] {}, [&] { return window.worklist().rows().size() == 1; });
   robot.step(
@@ -130,11 +123,45 @@ void treat(Patient& patient, const Look& look) {
   robot.step(
       "treat", Page::changes, [&] { robot.press("Treat"); },
       [&] { return window.workspace() == ui::Workspace::treat; });
+}
+
+}  // namespace
+
+void treat(Patient& patient, const Look& look) {
+  QSettings().clear();
+  const fs::path cases = patient.casesFolder(std::string("treated ") + look.name);
+  MainWindow window(atTarget(patient.services(), cases / "patient"));
+  window.show();
+  window.setCasesFolder(pathOf(cases));
+  Robot robot(window, "clinician", look);
+  openCase(robot, window);
   if (robot.hasFailed()) return;
   lookAtSetUp(robot, window, look);
-  align(robot, window, patient);
+  align(robot, window, patient.recording());
   guide(robot, window);
   endAndReport(robot, window);
+}
+
+void treatInTheRoom(Patient& patient, const Look& look) {
+  QSettings().clear();
+  const fs::path recording = patient.roomRecording(), cases = patient.casesFolder("treated in the room");
+  ASSERT_TRUE(fs::exists(recording)) << "facenav simulate made none";
+  auto services = patient.services();
+  services.listCameras = [](capture::Search) { return std::vector<capture::FoundCamera>(); };
+  services.listRigs = [] { return std::vector<capture::RigEntry>(); };
+  MainWindow window(services);
+  window.show();
+  window.setCasesFolder(pathOf(cases));
+  Robot robot(window, "clinician in the room", look);
+  openCase(robot, window);
+  align(robot, window, recording);
+  const auto& treat = window.treat();
+  robot.step(
+      "guiding", Page::stays, [&] { robot.press("3 Guide"); },
+      [&] { return treat.isGuiding() && treat.state() && treat.state()->camera_T_mri; }, 60000);
+  robot.step(
+      "ending", Page::changes, [&] { robot.key(Qt::Key_E, Qt::ControlModifier); },
+      [&] { return treat.isEnding(); });
 }
 
 void treatAtHome(Patient& patient, const Look& look) {

@@ -38,7 +38,7 @@ class Walk : public ::testing::Test {
     ui::applyAppearance(*qApp);
   }
   void walkAll(const Look& look) {
-    for (auto* job : {prepareAScan, planTargets, treat, treatAtHome}) walk(job, look);
+    for (auto* job : {prepareAScan, planTargets, setUpCameras, treat, treatAtHome}) walk(job, look);
   }
   static std::unique_ptr<Patient> patient_;
 };
@@ -49,7 +49,9 @@ const Look kUsual{"1366", {1366, 768}, 1, &keptPictures()};
 
 TEST_F(Walk, TheRadiographerPreparesAScan) { walk(prepareAScan, kUsual); }
 TEST_F(Walk, TheNeurologistPlansTargets) { walk(planTargets, kUsual); }
+TEST_F(Walk, AnEngineerSetsUpCameras) { walk(setUpCameras, kUsual); }
 TEST_F(Walk, TheClinicianTreats) { walk(treat, kUsual); }
+TEST_F(Walk, AClinicianTreatsWithTheProgramsOwnMethods) { walk(treatInTheRoom, {"room", {1366, 768}}); }
 TEST_F(Walk, APersonTreatsAtHome) { walk(treatAtHome, kUsual); }
 TEST_F(Walk, AllJobsFitASmallScreen) { walkAll({"1280", {1280, 720}}); }
 TEST_F(Walk, AllJobsFitALargeScreen) { walkAll({"1920", {1920, 1080}}); }

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "facenav/report/local_time.h"
 #include "shell/appearance.h"
@@ -111,15 +112,19 @@ void ComparePage::showComparison() {
     for (const auto& [name, value] : rowsOf(back)) {
       const int line = table_->rowCount();
       table_->insertRow(line);
-      table_->setItem(line, 0,
-                      new QTableWidgetItem(is_first ? QString::fromStdString(back.target) : QString()));
-      table_->setItem(line, 1, new QTableWidgetItem(name));
-      table_->setItem(line, 2, new QTableWidgetItem(value));
+      const QString target = QString::fromStdString(back.target);
+      const QString texts[] = {is_first ? target : QString(), name, value};
+      for (int i = 0; i < 3; ++i) {
+        auto* cell = new QTableWidgetItem(texts[i]);
+        cell->setToolTip(i == 0 ? target : texts[i]);
+        table_->setItem(line, i, cell);
+      }
       is_first = false;
     }
   }
-  for (int column = 0; column < 2; ++column)
-    table_->resizeColumnToContents(column);  // so that no name is cut
+  constexpr int kLongestTarget_px = 120;
+  for (int column = 0; column < 2; ++column) table_->resizeColumnToContents(column);
+  table_->setColumnWidth(0, std::min(table_->columnWidth(0), sized(kLongestTarget_px)));  // its tip is whole
   QStringList words{tr(
       "Mean pose of the coil over the pulses that are not excluded, in the MRI; \u00b1: root mean square.")};
   if (comparison->targets.empty()) words << tr("No target has pulses in both sessions.");

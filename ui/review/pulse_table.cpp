@@ -46,6 +46,13 @@ const casefile::ReviewedPulse& PulseTable::at(int row) const {
 int PulseTable::numberAt(int row) const { return at(row).pulse.number; }
 bool PulseTable::isExcluded(int row) const { return at(row).is_excluded; }
 
+bool PulseTable::isEmptyColumn(int column) const {
+  if (!isValue(column) || column == columnOf(report::PulseColumn::mep)) return false;
+  for (int row = 0; row < rowCount(); ++row)
+    if (report::valueOf(at(row).pulse, valueColumn(column).column)) return false;
+  return true;
+}
+
 QString PulseTable::stateWords(const casefile::ReviewedPulse& reviewed) const {
   if (reviewed.is_excluded) return tr("\u2715 excluded");
   switch (reviewed.pulse.status) {
@@ -93,6 +100,7 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
       if (index.column() == columnOf(report::PulseColumn::mep) &&
           session_->kept.pulses.edited_meps.count(reviewed.pulse.number))
         return tr("entered after the pulse; double click to type another");
+      if (index.column() == kTarget || index.column() == noteColumn()) return text(reviewed, index.column());
       return QString::fromStdString(report::localTime(reviewed.pulse.utc) + " " + reviewed.pulse.reason);
     default:
       return {};

@@ -25,6 +25,8 @@ class PulseTable : public QAbstractTableModel {
   /// The pulse's number in its session.
   int numberAt(int row) const;
   bool isExcluded(int row) const;
+  /// True if no pulse has a value in the column of a value; MEPs can be typed, so theirs is never so.
+  bool isEmptyColumn(int column) const;
   /// The column of the table for one of the values.
   static int columnOf(report::PulseColumn column) { return kFirstValue + int(column); }
 

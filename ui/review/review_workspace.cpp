@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "review/compare_page.h"
 #include "review/pulses_page.h"
@@ -22,13 +23,22 @@ namespace facenav::ui {
 
 ReviewWorkspace::ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& replay, CaseModel& model,
                                  QWidget* parent)
-    : QWidget(parent), presenter_(presenter), model_(model), pages_(new QStackedWidget(this)) {
-  auto* split = new QSplitter(Qt::Horizontal, this);
-  split->setChildrenCollapsible(false);
-  auto* sessions = new SessionsPanel(presenter_, split);
-  split->addWidget(sessions);
-  connect(sessions, &SessionsPanel::replayWanted, this, [this] { setPage(ReviewPage::replay); });
-  auto* right = new QWidget(split);
+    : QWidget(parent),
+      presenter_(presenter),
+      model_(model),
+      split_(new QSplitter(Qt::Horizontal, this)),
+      pages_(new QStackedWidget(this)) {
+  split_->setChildrenCollapsible(false);
+  auto* left = new QWidget(split_);
+  auto* of_case = new QVBoxLayout(left);
+  of_case->setContentsMargins(0, 0, 0, 0);
+  of_case->addWidget(makeFiles());
+  sessions_ = new SessionsPanel(presenter_, left);
+  of_case->addWidget(sessions_, 1);
+  split_->addWidget(left);
+  connect(sessions_, &SessionsPanel::replayWanted, this, [this] { setPage(ReviewPage::replay); });
+  connect(split_, &QSplitter::splitterMoved, this, [this] { was_moved_ = true; });
+  auto* right = new QWidget(split_);
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeHead());
@@ -39,13 +49,15 @@ ReviewWorkspace::ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& re
   pages_->addWidget(report_page_);
   connect(with_name_, &QCheckBox::toggled, report_page_, &ReportPage::setWithName);
   column->addWidget(pages_, 1);
-  split->addWidget(right);
-  split->setStretchFactor(0, 2);
-  split->setStretchFactor(1, 3);
+  split_->addWidget(right);
+  split_->setStretchFactor(0, 2);
+  split_->setStretchFactor(1, 3);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 10, 10, 10);
-  row->addWidget(split);
+  row->addWidget(split_);
   connect(&presenter_, &ReviewPresenter::sessionChanged, this, &ReviewWorkspace::showState);
+  connect(&presenter_, &ReviewPresenter::sessionsChanged, this, &ReviewWorkspace::fitSessions,
+          Qt::QueuedConnection);  // after the table has them
   connect(&model_, &CaseModel::opened, this, [this] {
     if (isVisible()) presenter_.refresh();
   });
@@ -75,31 +87,56 @@ QWidget* ReviewWorkspace::makeHead() {
     row->addWidget(button);
   }
   row->addStretch(1);
-  meps_ = new QPushButton(tr("MEPs\u2026"), bar);
-  meps_->setToolTip(
-      tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
-  from_home_ = new QPushButton(tr("From home\u2026"), bar);
-  from_home_->setToolTip(tr("add the file that a session at home sent back"));
   with_name_ = new QCheckBox(tr("with label"), bar);
   with_name_->setToolTip(tr("adds the case's label, which may be the patient's name, to the report"));
   report_ = new QPushButton(tr("Write PDF"), bar);
   report_->setObjectName("primary");
   report_->setToolTip(tr("writes report.pdf, report.html and pulses.csv into the session's folder"));
-  for (QWidget* widget : {static_cast<QWidget*>(from_home_), static_cast<QWidget*>(meps_),
-                          static_cast<QWidget*>(with_name_), static_cast<QWidget*>(report_)})
-    row->addWidget(widget);
+  row->addWidget(with_name_);
+  row->addWidget(report_);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int id) { setPage(ReviewPage(id)); });
+  connect(report_, &QPushButton::clicked, this, [this] {
+    setPage(ReviewPage::report);
+    presenter_.makeReport(with_name_->isChecked());
+  });
+  return bar;
+}
+
+/// Files that add something to the sessions.
+QWidget* ReviewWorkspace::makeFiles() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  from_home_ = new QPushButton(tr("From home\u2026"), bar);
+  from_home_->setToolTip(tr("add the file that a session at home sent back"));
+  meps_ = new QPushButton(tr("MEPs\u2026"), bar);
+  meps_->setToolTip(
+      tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
+  row->addWidget(from_home_);
+  row->addWidget(meps_);
+  row->addStretch(1);
   connect(meps_, &QPushButton::clicked, this, &ReviewWorkspace::chooseMeps);
   connect(from_home_, &QPushButton::clicked, this, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("The file that came back from home"), {}, tr("ZIP (*.zip)"));
     if (!file.isEmpty()) presenter_.addReturned(file);
   });
-  connect(report_, &QPushButton::clicked, this, [this] {
-    setPage(ReviewPage::report);
-    presenter_.makeReport(with_name_->isChecked());
-  });
   return bar;
+}
+
+/// Gives the sessions the width of their columns, as far as the page beside them can do without it.
+void ReviewWorkspace::fitSessions() {
+  if (was_moved_ || !isVisible()) return;
+  constexpr double kShare = 0.4;  // of the width, at least
+  const int room_px = split_->width() - split_->handleWidth();
+  const int most_px = room_px - split_->widget(1)->minimumSizeHint().width();
+  const int left_px = std::min(std::max(sessions_->wantedWidth(), int(kShare * room_px)), most_px);
+  split_->setSizes({left_px, room_px - left_px});
+}
+
+void ReviewWorkspace::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitSessions();
 }
 
 void ReviewWorkspace::setPage(ReviewPage page) {
@@ -129,6 +166,9 @@ void ReviewWorkspace::showState() {
   if (!has_label) with_name_->setChecked(false);
 }
 
-void ReviewWorkspace::showEvent(QShowEvent*) { presenter_.refresh(); }
+void ReviewWorkspace::showEvent(QShowEvent*) {
+  presenter_.refresh();
+  fitSessions();
+}
 
 }  // namespace facenav::ui

@@ -10,11 +10,13 @@
 class QButtonGroup;
 class QCheckBox;
 class QPushButton;
+class QSplitter;
 class QStackedWidget;
 
 namespace facenav::ui {
 
 class ReportPage;
+class SessionsPanel;
 
 enum class ReviewPage { pulses, replay, compare, report };
 
@@ -28,14 +30,20 @@ class ReviewWorkspace : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeHead();
+  QWidget* makeFiles();
+  void fitSessions();
   void chooseMeps();
   void showState();
 
   ReviewPresenter& presenter_;
   CaseModel& model_;
+  QSplitter* split_;
+  SessionsPanel* sessions_;
+  bool was_moved_ = false;  // the user chose where the halves meet
   QStackedWidget* pages_;
   ReportPage* report_page_;
   QButtonGroup* tabs_;

@@ -110,16 +110,8 @@ void SessionsPanel::makePulses() {
   pulses_->setAccessibleName(tr("pulses"));
   whenTextScales(this, [this] { pulses_->setMinimumSize(sized(240), sized(110)); });
   pulses_->setToolTip(tr("click a heading to sort; double click an MEP to type it"));
-  whenTextScales(this, [this] {
-    auto* header = pulses_->horizontalHeader();
-    header->setDefaultSectionSize(sized(76));
-    pulses_->setColumnWidth(PulseTable::kNumber, sized(56));
-    pulses_->setColumnWidth(PulseTable::kState, sized(104));
-    pulses_->setColumnWidth(PulseTable::kTarget, sized(110));
-    header->ensurePolished();
-    for (int i = 0; i < header->count(); ++i)  // every heading is whole
-      header->resizeSection(i, std::max(header->sectionSize(i), header->sectionSizeHint(i)));
-  });
+  whenTextScales(this, [this] { fitPulseColumns(); });
+  connect(table_, &PulseTable::modelReset, this, &SessionsPanel::fitPulseColumns);
   pulses_->horizontalHeader()->setStretchLastSection(true);
   connect(pulses_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) {
@@ -128,6 +120,26 @@ void SessionsPanel::makePulses() {
   connect(pulses_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SessionsPanel::showState);
   pulses_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(pulses_, &QTableView::customContextMenuRequested, this, &SessionsPanel::showMenu);
+}
+
+/// Gives each column what it needs: headings are whole, with room for the arrow of sorting. Columns without a
+/// value are hidden; a long target is cut, and whole in its tip.
+void SessionsPanel::fitPulseColumns() {
+  constexpr int kArrow_px = 14, kLongestTarget_px = 110;
+  auto* header = pulses_->horizontalHeader();
+  header->ensurePolished();
+  for (int i = 0; i < header->count(); ++i) {
+    header->setSectionHidden(i, table_->isEmptyColumn(i));
+    if (header->isSectionHidden(i)) continue;
+    pulses_->resizeColumnToContents(i);
+    const int cells_px = i == PulseTable::kTarget ? std::min(header->sectionSize(i), sized(kLongestTarget_px))
+                                                  : header->sectionSize(i);
+    header->resizeSection(i, std::max(cells_px, header->sectionSizeHint(i) + sized(kArrow_px)));
+  }
+}
+
+int SessionsPanel::wantedWidth() const {
+  return sessions_->horizontalHeader()->length() + 2 * sessions_->frameWidth();
 }
 
 /// Shows what can be done with the chosen pulses.

@@ -20,6 +20,8 @@ class SessionsPanel : public QWidget {
 
  public:
   explicit SessionsPanel(ReviewPresenter& presenter, QWidget* parent = nullptr);
+  /// Width at which no column of the sessions is cut, px.
+  int wantedWidth() const;
 
  signals:
   /// The marked pulse is to be shown in the replay.
@@ -28,6 +30,7 @@ class SessionsPanel : public QWidget {
  private:
   void makeSessions();
   void makePulses();
+  void fitPulseColumns();
   QWidget* makeEdits();
   void showSessions();
   void showChosen();

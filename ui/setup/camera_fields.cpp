@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "shell/narrow_label.h"
+#include "shell/users_words.h"
 #include "treat/camera_choice.h"
 
 namespace facenav::ui {
@@ -30,6 +31,7 @@ CameraFields::CameraFields(SetupPresenter& presenter, QWidget* parent)
   size_->setCurrentText(presenter_.chosenSize());
   connect(size_, &QComboBox::currentTextChanged, &presenter_, &SetupPresenter::chooseSize);
   for (auto* box : {left_, right_}) {
+    markUsersWords(*box);  // a camera's name is its maker's, and may be longer than the box
     connect(box, QOverload<int>::of(&QComboBox::activated), this, &CameraFields::choose);
     connect(box->lineEdit(), &QLineEdit::editingFinished, this, &CameraFields::choose);
   }
@@ -43,6 +45,7 @@ QComboBox* CameraFields::addField(QVBoxLayout& column, const QString& name, cons
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(8);  // the layout decides the width, not the longest name
   box->setToolTip(tip);
+  box->setAccessibleDescription(tip);
   letAddressBeTyped(*box);
   box->lineEdit()->installEventFilter(this);
   title->setBuddy(box);
@@ -65,6 +68,8 @@ void CameraFields::choose() {
 void CameraFields::refresh() {
   listCameras(*left_, presenter_.devices(), presenter_.left());
   listCameras(*right_, presenter_.devices(), presenter_.right());
+  for (auto* box : {left_, right_})
+    box->setToolTip(box->currentText().isEmpty() ? box->accessibleDescription() : box->currentText());
   for (const auto field : {SetupField::left, SetupField::right, SetupField::size}) {
     auto* label = troubles_[int(field)];
     label->setText(presenter_.trouble(field));

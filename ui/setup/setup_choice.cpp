@@ -85,9 +85,15 @@ QString SetupPresenter::trouble(SetupField field) const {
 }
 
 void SetupPresenter::choose(const QString& left, const QString& right) {
-  left_ = left;
-  right_ = right;
   faults_.clear();
+  for (const auto& [field, name, typed] :
+       {std::tuple(SetupField::left, &left_, &left), {SetupField::right, &right_, &right}})
+    try {
+      *name = keptApart(*typed);
+    } catch (const Error& error) {
+      *name = shownCamera(*typed);
+      faults_[field] = QString::fromUtf8(error.what());
+    }
   emit changed();
 }
 

@@ -137,9 +137,9 @@ void SetupTools::makeCheck() {
   name_trouble_ = addWords(*column, {}, "fault");
   keep_ = addButton(*column, tr("Keep it"), tr("cameras, settings, calibration and this check"));
   keep_->setObjectName("primary");
-  kept_words_ = addWords(*column, {}, "plain");
-  repair_ = addButton(*column, tr("Repair: calibrate again"), tr("two minutes, with the board"));
   auto* again = addButton(*column, tr("Check again"), tr("with the board in another place"));
+  repair_ = addButton(*column, tr("Repair: calibrate again"), tr("two minutes, with the board"));
+  kept_words_ = addWords(*column, {}, "plain");  // below the buttons, which stay in their places
   column->addStretch(1);
   connect(name_, &QLineEdit::textChanged, &presenter_, &SetupPresenter::setName);
   connect(keep_, &QPushButton::clicked, this, &SetupTools::keep);

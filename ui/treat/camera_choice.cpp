@@ -4,6 +4,9 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include "facenav/capture/stream_logins.h"
+#include "facenav/core/shown_address.h"
+
 namespace facenav::ui {
 
 void letAddressBeTyped(QComboBox& box) {
@@ -51,6 +54,14 @@ bool isAddress(const QString& camera) {
   for (const char* connection : {"v4l2:", "genicam:", "dc1394:"})
     if (camera.startsWith(connection)) return false;
   return !camera.isEmpty();
+}
+
+QString shownCamera(const QString& camera) {
+  return QString::fromStdString(shownAddress(camera.toStdString()));
+}
+
+QString keptApart(const QString& camera) {
+  return QString::fromStdString(capture::keptApart(camera.toStdString()));
 }
 
 QString addressTrouble(const std::vector<capture::FoundCamera>& devices, const QString& camera) {

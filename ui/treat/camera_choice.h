@@ -19,6 +19,11 @@ void listCameras(QComboBox& box, const std::vector<capture::FoundCamera>& device
 QString chosenCamera(const QComboBox& box);
 /// True for an address, false for the stable name of a connected camera.
 bool isAddress(const QString& camera);
+/// An address as it may be shown: without its password. A stable name stays.
+QString shownCamera(const QString& camera);
+/// Keeps the password of an address in the user's own file (capture/stream_logins.h) and returns the address
+/// without it. Throws Error if it cannot be kept.
+QString keptApart(const QString& camera);
 /// Why nothing can be opened at an address, in words; empty if it may be, and for a connected camera.
 QString addressTrouble(const std::vector<capture::FoundCamera>& devices, const QString& camera);
 

@@ -28,8 +28,8 @@ const char* const kRigName = "cameras/rig_name";
 ChosenCameras::ChosenCameras(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks) {
   const QSettings settings;
-  left_ = settings.value(kLeft).toString();
-  right_ = settings.value(kRight).toString();
+  left_ = shownCamera(settings.value(kLeft).toString());
+  right_ = shownCamera(settings.value(kRight).toString());
   rig_file_ = settings.value(kRig).toString();
   rig_name_ = settings.value(kRigName).toString();
   readAgain();
@@ -89,6 +89,12 @@ QString ChosenCameras::deviceWords() const {
 }
 
 void ChosenCameras::choose(QString left, QString right) {
+  try {
+    left = keptApart(left);
+    right = keptApart(right);
+  } catch (const Error& error) {
+    return emit refused(QString::fromUtf8(error.what()));
+  }
   if (left != left_ || right != right_) forgetRigName();
   left_ = std::move(left);
   right_ = std::move(right);

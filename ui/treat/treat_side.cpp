@@ -116,7 +116,7 @@ bool TreatSide::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// Moves the bull's eye beside the figures if both do not fit one above the other. The other panels are too
-/// wide for that, so the figures become small.
+/// wide for that: where one does not fit, the figures become small and leave it their room.
 void TreatSide::arrange() {
   const bool is_aim = tools_->currentWidget() == bulls_eye_;
   const int needed_px =
@@ -125,7 +125,10 @@ void TreatSide::arrange() {
   bulls_eye_and_figures_->setDirection(is_low && is_aim ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   bulls_eye_and_figures_->setStretchFactor(tools_, is_aim ? 4 : 1);
   bulls_eye_and_figures_->setStretchFactor(figures_, is_aim ? 5 : 0);
-  figures_->setSmall(is_low && !is_aim, is_low);
+  const int page_px = tools_->currentWidget()->sizeHint().height();
+  const bool is_cramped =
+      page_px + bulls_eye_and_figures_->spacing() + figures_->neededHeight() > column_->viewport()->height();
+  figures_->setSmall(!is_aim && (is_low || is_cramped), is_low);
 }
 
 }  // namespace facenav::ui

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "facenav/core/shown_address.h"
+
 namespace facenav {
 inline namespace core {
 namespace {
@@ -18,7 +20,7 @@ std::string oneLine(const std::string& happened, const std::string& where, const
 }  // namespace
 
 Error::Error(const std::string& what_happened, const std::string& where, const std::string& remedy)
-    : std::runtime_error(oneLine(what_happened, where, remedy)) {}
+    : std::runtime_error(shownAddress(oneLine(what_happened, where, remedy))) {}
 
 void expectationFailed(const char* condition, const char* file, int line, const std::string& message) {
   throw std::logic_error(std::string("internal error (please report): ") + message + " [" + condition + ", " +

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <set>
 
+#include "facenav/core/shown_address.h"
+
 namespace facenav {
 inline namespace core {
 namespace {
@@ -21,8 +23,8 @@ spdlog::logger& logger() {
 
 }  // namespace
 
-void logInfo(const std::string& message) { logger().info(message); }
-void logWarning(const std::string& message) { logger().warn(message); }
+void logInfo(const std::string& message) { logger().info(shownAddress(message)); }
+void logWarning(const std::string& message) { logger().warn(shownAddress(message)); }
 void logWarningOnce(const std::string& message) {
   static std::mutex mutex;
   static std::set<std::string> told;

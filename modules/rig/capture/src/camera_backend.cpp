@@ -5,6 +5,9 @@
 #include <map>
 #include <tuple>
 
+#include "facenav/capture/stream_logins.h"
+#include "facenav/core/shown_address.h"
+
 namespace facenav::capture {
 namespace {
 
@@ -40,6 +43,15 @@ std::string plainAddress(const std::string& text) {
   for (const std::string prefix : {"stream:", "file://"})
     if (text.rfind(prefix, 0) == 0) return plainAddress(text.substr(prefix.size()));
   return text;
+}
+
+/// What was typed, without a password: also where the scheme is missing, "doe:secret@host/left".
+std::string asShown(const std::string& text) {
+  static const std::string kAnyScheme = "rtsp://";
+  for (const std::string backend : {"v4l2:", "genicam:", "dc1394:"})
+    if (text.rfind(backend, 0) == 0) return text;
+  const bool has_scheme = text.find("://") != std::string::npos;
+  return has_scheme ? shownAddress(text) : shownAddress(kAnyScheme + text).substr(kAnyScheme.size());
 }
 
 bool looksLikePath(const std::string& text) {
@@ -114,11 +126,13 @@ CameraIdentity findCamera(const std::vector<FoundCamera>& found, const std::stri
     if (isNamed(camera.identity, text)) fitting.push_back(&camera);
   if (fitting.size() == 1) return fitting.front()->identity;
   if (fitting.size() > 1)
-    throw missing("several cameras are called so", text, "give the address of one: " + whatIsThere(found));
-  if (isStreamAddress(text)) return {"stream", text, "", "", ""};
+    throw missing("several cameras are called so", asShown(text),
+                  "give the address of one: " + whatIsThere(found));
+  if (isStreamAddress(text)) return streamIdentity(text);
   if (looksLikePath(text))
-    throw missing("there is no such file or folder", text, "check its name, or type a camera's address");
-  throw missing("there is no such camera", text, whatIsThere(found));
+    throw missing("there is no such file or folder", asShown(text),
+                  "check its name, or type a camera's address");
+  throw missing("there is no such camera", asShown(text), whatIsThere(found));
 }
 
 CameraIdentity findCamera(const std::vector<FoundCamera>& found, const CameraIdentity& wanted) {

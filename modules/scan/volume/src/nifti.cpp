@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "facenav/core/error.h"
+#include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/volume/fast_compressor.h"
 #include "nifti_world.h"
@@ -62,6 +63,8 @@ bool isNifti2(const std::filesystem::path& path) {
 /// `components`: values a voxel, 1 or 3.
 ImagePtr readImage(const std::filesystem::path& path, int components) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
+  if (!std::filesystem::is_regular_file(path))  // a pipe would be waited for
+    throw Error("is not a file", path.string(), "name a NIfTI file");
   nifti_set_debug_level(0);
   if (is_nifti_file(path.c_str()) < 0) {
     if (isNifti2(path))
@@ -130,10 +133,16 @@ std::vector<float> asInFile(const nifti_image& image, const std::string& where) 
   return out;
 }
 
+constexpr float kLargestValue = 1e15f;  // its square is a number, too
+
 std::vector<float> toFloat(const nifti_image& image, const std::string& where) {
   std::vector<float> out = asInFile(image, where);
-  for (float& value : out)
+  for (float& value : out) {
     if (!std::isfinite(value)) value = 0.f;
+    if (std::abs(value) > kLargestValue)
+      throw Error("holds the value " + formatted("%.0e", double(value)) + ": no grey value of a scan", where,
+                  "check the slope in its header (scl_slope), or export it again");
+  }
   return out;
 }
 

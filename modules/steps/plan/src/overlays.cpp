@@ -55,6 +55,8 @@ OverlayContent readNiftiOverlay(const fs::path& file) {
 }
 
 OverlayContent readOverlayFile(const fs::path& file) {
+  if (fs::is_directory(file))
+    throw Error("is a folder, a file was expected", file.string(), "name the file in it");
   if (!fs::is_regular_file(file)) throw Error("file does not exist", file.string(), "check the path");
   if (volume::isNiftiName(file)) return readNiftiOverlay(file);
   OverlayContent content;

@@ -180,6 +180,7 @@ TEST(KeptSession, IsFoundByItsNameOrHowItBeginsAndElseTheNewestIsMeant) {
   for (const char* name : {"20261120T090000Z", "20261123T140509Z", "20261123T140509Z_2"})
     fs::create_directories(folder.path() / "sessions" / name);
   EXPECT_EQ(findSession(folder.path(), "").filename(), "20261123T140509Z_2");
+  EXPECT_EQ(findSession(folder.path(), "newest").filename(), "20261123T140509Z_2");
   EXPECT_EQ(findSession(folder.path(), "20261120").filename(), "20261120T090000Z");
   EXPECT_EQ(findSession(folder.path(), "20261123T140509Z").filename(), "20261123T140509Z");
   EXPECT_THROW(findSession(folder.path(), "20261123"), Error);

@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "facenav/capture/stream_logins.h"
+#include "facenav/core/whole_file.h"
 #include "support/camera_contract.h"
 #include "support/fake_v4l2.h"
 #include "support/recordings.h"
@@ -38,6 +40,22 @@ std::string errorOf(const std::function<void()>& action) {
   }
   return "";
 }
+
+/// Sets a variable of the environment while it lives.
+class SetVariable {
+ public:
+  SetVariable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    ::setenv(name, value.c_str(), 1);
+  }
+  ~SetVariable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
+  SetVariable(const SetVariable&) = delete;
+  SetVariable& operator=(const SetVariable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 TEST(RigStore, GivesBackWhatWasWritten) {
   const testing::TemporaryFolder folder;
@@ -103,11 +121,70 @@ TEST(RigStore, RefusesInOneClearLine) {
 
 TEST(RigStore, ItsPlaceIsTheUsersConfiguration) {
   const testing::TemporaryFolder folder;
-  const char* before = std::getenv("XDG_CONFIG_HOME");
-  const std::string kept = before ? before : "";
-  ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+  const SetVariable configuration("XDG_CONFIG_HOME", folder.path().string());
   EXPECT_EQ(RigStore().folder(), folder.path() / "facenav" / "rigs");
-  before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
+}
+
+/// Every file below `folder` that contains the text.
+std::vector<std::string> filesWith(const std::filesystem::path& folder, const std::string& text) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && readWholeFile(entry.path()).find(text) != std::string::npos)
+      found.push_back(entry.path().filename());
+  return found;
+}
+
+TEST(RigStore, APasswordOfAStreamLiesInTheUsersOwnFileAlone) {
+  const testing::TemporaryFolder folder;
+  const SetVariable configuration("XDG_CONFIG_HOME", folder.path().string());
+  const RigStore store(folder.path() / "lent");
+  NamedRig rig = webcams("bar");
+  rig.left->identity = findCamera({}, "rtsp://doe:Sec/ret@127.0.0.1:9/left");
+  rig.right->identity = findCamera({}, "http://127.0.0.1:9/right?user=doe&pwd=Sec/ret");
+  store.write(rig, Existing::refuse);
+  store.note("bar", {"2026-11-25T09:00:00Z", "holds", "the calibration holds"});
+  EXPECT_THAT(filesWith(folder.path(), "ec/ret"), ::testing::ElementsAre("stream_logins.json"));
+  const auto file = folder.path() / "facenav" / "stream_logins.json";
+  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0600));
+
+  const NamedRig kept = store.read("bar");
+  EXPECT_EQ(kept.left->identity.address, "rtsp://doe@127.0.0.1:9/left");
+  EXPECT_EQ(StreamLogins().openingAddress(kept.left->identity), "rtsp://doe:Sec%2Fret@127.0.0.1:9/left");
+  EXPECT_EQ(StreamLogins().openingAddress(kept.right->identity),
+            "http://127.0.0.1:9/right?user=doe&pwd=Sec/ret");
+  CameraBackends backends("camera connection");
+  backends.add("stream", "", makeStreamBackend);
+  const std::string words = errorOf([&] { openRig(backends, kept); });
+  EXPECT_THAT(words, HasSubstr("rtsp://doe@127.0.0.1:9/left: the stream cannot be opened"));
+  EXPECT_THAT(words, ::testing::Not(HasSubstr("ret")));
+}
+
+TEST(RigStore, APasswordInARigOfAnEarlierVersionIsMovedWhenTheRigIsWritten) {
+  const testing::TemporaryFolder folder;
+  const SetVariable configuration("XDG_CONFIG_HOME", folder.path().string());
+  const RigStore store(folder.path() / "rigs");
+  NamedRig rig = webcams("bar");
+  rig.left->identity = {"stream", "rtsp://doe@host/left", "", "", ""};
+  store.write(rig, Existing::refuse);
+  const auto file = folder.path() / "rigs" / "bar" / "rig.json";
+  std::string json = readWholeFile(file);
+  json.replace(json.find("doe@"), 4, "doe:secret@");
+  writeWholeFile(file, json);
+  EXPECT_EQ(store.read("bar").left->identity.address, "rtsp://doe@host/left");
+  store.note("bar", {"2026-11-25T09:00:00Z", "holds", "the calibration holds"});
+  EXPECT_THAT(filesWith(folder.path(), "secret"), ::testing::ElementsAre("stream_logins.json"));
+  EXPECT_EQ(StreamLogins().openingAddress(store.read("bar").left->identity), "rtsp://doe:secret@host/left");
+}
+
+TEST(RigStore, NoMessageAboutATypedAddressShowsItsPassword) {
+  for (const char* typed : {"rtsp:/doe:secret@host/left", "doe:secret@host/left", "doe:secret@host",
+                            "file:///no/such?pwd=secret", "stream:rtsp://doe:secret@host"}) {
+    const std::string words = errorOf([&] { findCamera({}, typed); });
+    EXPECT_THAT(words, ::testing::Not(HasSubstr("secret"))) << typed;
+  }
+  const auto camera = findCamera({}, "rtsp://doe:secret@host");
+  for (const std::string& words : {stableName(camera), inWords(camera), camera.address})
+    EXPECT_THAT(words, ::testing::Not(HasSubstr("secret")));
 }
 
 /// Lists two webcams of a fake kernel.

@@ -108,6 +108,22 @@ std::unique_ptr<CameraPairSource> openFiles(const std::string& left, const std::
                         {streamSettings(), streamSettings()});
 }
 
+TEST(Stream, AVideoIsWholeAlsoAfterANetworkStream) {
+  const testing::TemporaryFolder folder;
+  const std::string left = (folder.path() / "left.mkv").string(),
+                    right = (folder.path() / "right.mkv").string();
+  film(left, 10);
+  film(right, 10);
+  EXPECT_EQ(faultOf([] {
+              makeStreamBackend()->open({"stream", "http://127.0.0.1:9/video", "", "", ""});
+            }),
+            CameraFault::missing);
+  const auto pair = openFiles(left, right);
+  int frames = 0;
+  while (pair->next()) ++frames;
+  EXPECT_EQ(frames, 10);
+}
+
 TEST(Stream, TwoVideosAreReadPairByPairHoweverSlowlyTheyAreAskedFor) {
   const testing::TemporaryFolder folder;
   const std::string left = (folder.path() / "left.mkv").string(),

@@ -7,6 +7,7 @@
 #include "checks/face_check.h"
 #include "facenav/dicom/import_volume.h"
 #include "facenav/segmentation/segmenter.h"
+#include "facenav/surface/navigation_check.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/volume/nifti.h"
 #include "facenav/volume/regrid.h"
@@ -105,6 +106,43 @@ TEST(FaceCheck, SeesThatTheFaceWasCutAway) {
   EXPECT_FALSE(shear.has_face) << "sheared off by an oblique plane";
   const auto above = scalpOf(without(whole, [&](const Eigen::Vector3d& p) { return p.z() < brow_z + 5; }));
   EXPECT_FALSE(above.has_face) << "the scan ends at the brow";
+}
+
+/// The head lying too far in front: its foremost `beyond_mm` appear behind it, after 20 mm of air; slices of
+/// 0 pad the scan at both ends.
+Volume foldedNose(const Volume& scan, double beyond_mm) {
+  constexpr double kAir_mm = 20, kPad_mm = 10;
+  const Volume head = volume::toRasOrder(scan);
+  const double voxel_mm = head.grid.spacing_mm().y();
+  const int beyond = int(std::lround(beyond_mm / voxel_mm)), pad = int(kPad_mm / voxel_mm),
+            behind = int((beyond_mm + kAir_mm) / voxel_mm), kept = head.grid.size[1] - beyond;
+  Volume folded = head;
+  folded.grid.size[1] = behind + kept + 2 * pad;
+  folded.grid.mri_from_voxel.translation() = head.grid.toMri({0.0, -double(behind + pad), 0.0}).mm;
+  folded.voxels.assign(folded.grid.count(), 0);
+  for (int k = 0; k < head.grid.size[2]; ++k)
+    for (int j = 0; j < behind + kept; ++j)
+      for (int i = 0; i < head.grid.size[0]; ++i) {
+        const float air = float((i * 7 + j * 13 + k * 5) % 5);
+        folded.voxels[folded.grid.index(i, j + pad, k)] = j < beyond    ? head.at(i, kept + j, k)
+                                                          : j >= behind ? head.at(i, j - behind, k)
+                                                                        : air;
+      }
+  return folded;
+}
+
+TEST(FaceCheck, ANoseThatWrapsAroundIsCutAndItsPieceNamed) {
+  FACENAV_NEEDS(facenav::testing::virtualPatientMri());
+  const Volume folded = foldedNose(virtualPatient(), 15);
+  TaskMonitor monitor;
+  const auto mask = segmentation::makeHeadSegmenter()->segment(folded, monitor).mask;
+  const auto scalp = extractScalp(folded, mask, monitor);
+  EXPECT_THAT(scalp.findings, Contains(HasSubstr("nose tip is cut"))) << "also where the scan is padded";
+  for (const auto& finding : checkForNavigation(folded, mask, scalp).findings)
+    if (finding.topic == CheckTopic::wrap_around) {
+      EXPECT_EQ(finding.verdict, Verdict::caution);
+      EXPECT_THAT(finding.finding, HasSubstr("the back ("));
+    }
 }
 
 /// The same head lying turned in the scanner: only the map to world coordinates changes.

@@ -185,6 +185,53 @@ TEST(ScanQuality, WrapAroundOnTheOppositeSide) {
   EXPECT_THAT(finding.finding, HasSubstr("back"));
 }
 
+/// A ball that wraps around at the front by 15 mm onto the back, where the head's mask joins it.
+Ball foldedOver() {
+  Ball ball = makeBall(4, {48, kSize - 15, 48});
+  const Eigen::Vector3d behind(48, -15, 48);
+  for (int k = 0; k < kSize; ++k)
+    for (int j = 0; j < 15; ++j)
+      for (int i = 0; i < kSize; ++i)
+        if ((Eigen::Vector3d(i, j, k) - behind).norm() < kRadius_mm) {
+          ball.mri.voxels[ball.mri.grid.index(i, j, k)] = float(kSignal);
+          ball.mask.voxels[ball.mask.grid.index(i, j, k)] = 1;
+        }
+  return ball;
+}
+
+TEST(ScanQuality, FoldOverThatJoinedTheHeadIsFoundAlongFrontAndBackOnly) {
+  Ball ball = foldedOver();
+  EXPECT_THAT(findingOf(ball, CheckTopic::wrap_around).finding, HasSubstr("the back ("));
+  ball.mri.grid.mri_from_voxel.linear() << 0, 1, 0, -1, 0, 0, 0, 0, 1;  // left and right of a head are alike
+  ball.mask.grid = ball.mri.grid;
+  EXPECT_EQ(findingOf(ball, CheckTopic::wrap_around).verdict, Verdict::fine);
+  EXPECT_THAT(findingOf(ball, CheckTopic::ears).finding, HasSubstr("both sides"));
+}
+
+/// Sets the slices of the front to one value, as a program pads a scan.
+void padFront(Ball& ball, int slices) {
+  for (int k = 0; k < kSize; ++k)
+    for (int j = kSize - slices; j < kSize; ++j)
+      for (int i = 0; i < kSize; ++i) {
+        ball.mri.voxels[ball.mri.grid.index(i, j, k)] = 0;
+        ball.mask.voxels[ball.mask.grid.index(i, j, k)] = 0;
+      }
+}
+
+TEST(ScanQuality, APaddedScanEndsWhereItWasMeasured) {
+  const auto cutAtFront = [](const Ball& ball) {
+    for (const ScanSide& side : measureScan(ball.mri, ball.mask, ball.skin).sides)
+      if (side.name == "front") return side.cut_area_mm2;
+    return -1.0;
+  };
+  Ball cut = makeBall(4, {48, 48, 48});
+  padFront(cut, kSize - 48 - 20);  // 10 mm of the ball are missing
+  EXPECT_NEAR(cutAtFront(cut), M_PI * (kRadius_mm * kRadius_mm - 19 * 19), 60);
+  Ball whole = makeBall(4, {48, 48, 48});
+  padFront(whole, kSize - 48 - 30);  // the ball ends, rounded, at the padding
+  EXPECT_EQ(cutAtFront(whole), 0);
+}
+
 TEST(NavigationCheck, UnsureSkinOfTheUpperHeadIsACaution) {
   const Ball ball = makeBall(4);
   ScalpSurface scalp;

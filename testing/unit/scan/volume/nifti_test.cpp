@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nifti1.h>
 #include <nifti1_io.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <fstream>
@@ -234,6 +235,17 @@ TEST(Nifti, DamagedFilesAreRefusedInOneLine) {
   raw.save();
   EXPECT_THROW(volume::readNifti(path), Error);
   EXPECT_THROW(volume::readNifti(folder.path() / "absent.nii"), Error);
+}
+
+TEST(Nifti, ValuesWhoseSquareIsNoNumberAndPipesAreRefused) {
+  const TemporaryFolder folder;
+  auto scan = numberedVolume();
+  scan.voxels.back() = 1e30f;
+  volume::writeNifti(scan, folder.path() / "a.nii");
+  EXPECT_THROW(volume::readNifti(folder.path() / "a.nii"), Error);
+  const auto pipe = folder.path() / "pipe.nii";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(volume::readNifti(pipe), Error) << "without waiting for a writer";
 }
 
 TEST(Nifti, TruncatedCompressedFileIsRefused) {

@@ -82,7 +82,7 @@ std::vector<fs::path> sessionFolders(const fs::path& case_folder) {
 fs::path findSession(const fs::path& case_folder, const std::string& name) {
   const auto folders = sessionFolders(case_folder);
   if (folders.empty()) throw Error("the case has no sessions", case_folder.string(), "treat it first");
-  if (name.empty()) return folders.back();
+  if (name.empty() || name == "newest") return folders.back();
   std::vector<fs::path> found;
   for (const auto& folder : folders) {
     const std::string of_folder = folder.filename().string();

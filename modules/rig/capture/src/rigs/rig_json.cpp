@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "facenav/capture/stream_logins.h"
 #include "facenav/core/json_reader.h"
+#include "facenav/core/shown_address.h"
 
 namespace facenav::capture {
 namespace {
@@ -23,7 +25,7 @@ constexpr const char* kTriggers[] = {"free_run", "software", "hardware"};
 Json cameraJson(const RigCamera& camera) {
   const CameraIdentity& identity = camera.identity;
   const CameraSettings& settings = camera.settings;
-  Json json = {{"connection", identity.backend}, {"address", identity.address},
+  Json json = {{"connection", identity.backend}, {"address", shownAddress(identity.address)},
                {"model", identity.model},        {"serial", identity.serial},
                {"port", identity.port},          {"frames_per_s", settings.frames_per_s},
                {"format", settings.format},      {"trigger", kTriggers[int(settings.trigger)]}};
@@ -42,6 +44,7 @@ RigCamera readCamera(const JsonReader& json) {
   RigCamera camera;
   camera.identity = {json.at("connection").text(), json.at("address").text(), json.at("model").text(),
                      json.at("serial").text(), json.at("port").text()};
+  if (camera.identity.backend == "stream") camera.identity = streamIdentity(camera.identity.address);
   camera.settings.frames_per_s = json.at("frames_per_s").number();
   if (!(camera.settings.frames_per_s > 0)) json.at("frames_per_s").refuse("must be more than 0");
   camera.settings.format = json.at("format").text();

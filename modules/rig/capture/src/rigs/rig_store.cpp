@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 
+#include "configuration_folder.h"
+#include "facenav/capture/stream_logins.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
 #include "rig_json.h"
@@ -15,14 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongestName = 64;
-
-fs::path defaultFolder() {
-  if (const char* configuration = std::getenv("XDG_CONFIG_HOME"); configuration && *configuration)
-    return fs::path(configuration) / "facenav" / "rigs";
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return fs::path(home) / ".config" / "facenav" / "rigs";
-  throw Error("this user has no home folder", "", "name a folder for the rigs with --rigs");
-}
 
 bool isGoodName(const std::string& name) {
   const auto isGood = [](unsigned char c) {
@@ -75,6 +68,17 @@ NamedRig withKnownRowTimes(NamedRig rig, const fs::path& folder) {
   return rig;
 }
 
+/// Moves passwords of the cameras' addresses to the user's own file: a rig's folder is copied and lent.
+void keepPasswordsApart(const NamedRig& rig) {
+  for (const auto* side : {&rig.left, &rig.right})
+    if (*side && !(*side)->identity.full_address.empty()) StreamLogins().keep((*side)->identity);
+}
+
+void rewrite(const NamedRig& rig, const fs::path& folder) {
+  keepPasswordsApart(rig);
+  writeWholeFile(folder / "rig.json", toRigJson(rig), FileAccess::by_umask);
+}
+
 std::string namesIn(const std::vector<RigEntry>& entries) {
   std::string names;
   for (const auto& entry : entries) names += (names.empty() ? "there are: " : ", ") + entry.name;
@@ -83,7 +87,9 @@ std::string namesIn(const std::vector<RigEntry>& entries) {
 
 }  // namespace
 
-RigStore::RigStore(fs::path folder) : folder_(folder.empty() ? defaultFolder() : std::move(folder)) {}
+RigStore::RigStore(fs::path folder)
+    : folder_(folder.empty() ? configurationFolder("name a folder for the rigs with --rigs") / "rigs"
+                             : std::move(folder)) {}
 
 fs::path RigStore::folderOf(const std::string& name) const {
   if (!isGoodName(name))
@@ -122,6 +128,7 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
   if (error)
     throw Error("the folder for rigs cannot be made (" + error.message() + ")", folder_.string(),
                 "choose another");
+  keepPasswordsApart(rig);
   WholeFolder whole(folder, FileAccess::by_umask, existing);
   writeWholeFile(whole.temporaryPath() / "rig.json", toRigJson(withKnownRowTimes(rig, folder)),
                  FileAccess::by_umask);
@@ -132,13 +139,13 @@ void RigStore::write(const NamedRig& rig, Existing existing) const {
 void RigStore::note(const std::string& name, const RigCheckNote& check) const {
   NamedRig rig = read(name);
   rig.last_check = check;
-  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig), FileAccess::by_umask);
+  rewrite(rig, folderOf(name));
 }
 
 void RigStore::noteRowTimes(const std::string& name, const MeasuredRowTimes& row_times) const {
   NamedRig rig = read(name);
   rig.row_times = row_times;
-  writeWholeFile(folderOf(name) / "rig.json", toRigJson(rig), FileAccess::by_umask);
+  rewrite(rig, folderOf(name));
 }
 
 std::unique_ptr<CameraPairSource> openRig(const CameraBackends& backends, const NamedRig& rig) {

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 #include <thread>
 
 #include "facenav/capture/camera_backend.h"
+#include "facenav/capture/stream_logins.h"
+#include "facenav/core/shown_address.h"
 #include "folder_camera.h"
 #include "grey_image.h"
 #include "picture_intake.h"
@@ -29,35 +32,58 @@ bool carriesClock(const std::string& address) {
                      [&](const std::string& scheme) { return address.rfind(scheme, 0) == 0; });
 }
 
-/// Reduces the delay: by default FFmpeg analyses five seconds of an unknown stream before the first picture,
-/// and then holds pictures back.
-void readWithoutDelay() {
-  static const bool is_set =
-      ::setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS",
-               "rtsp_transport;tcp|analyzeduration;300000|probesize;300000|fflags;nobuffer", 0) == 0;
-  (void)is_set;
+/// Reduces the delay of the stream that is opened while this lives: by default FFmpeg analyses five seconds
+/// of an unknown stream before the first picture, and then holds pictures back. A file would lose a picture.
+class WithoutDelay {
+ public:
+  explicit WithoutDelay(bool is_network) : lock_(mutex_), is_set_(is_network && !std::getenv(kVariable)) {
+    if (is_set_)
+      ::setenv(kVariable, "rtsp_transport;tcp|analyzeduration;300000|probesize;300000|fflags;nobuffer", 1);
+  }
+  ~WithoutDelay() {
+    if (is_set_) ::unsetenv(kVariable);
+  }
+  WithoutDelay(const WithoutDelay&) = delete;
+  WithoutDelay& operator=(const WithoutDelay&) = delete;
+
+ private:
+  static constexpr const char* kVariable = "OPENCV_FFMPEG_CAPTURE_OPTIONS";
+  static std::mutex mutex_;  // the variable is one for all threads
+  std::lock_guard<std::mutex> lock_;
+  bool is_set_;
+};
+std::mutex WithoutDelay::mutex_;
+
+/// What to do about a stream that does not open.
+std::string remedyOf(const CameraIdentity& stream, const std::string& opening) {
+  if (isFile(stream.address)) return "is the file whole, and its codec installed?";
+  const bool has_user_only = opening.find('@') != std::string::npos && opening == shownAddress(opening);
+  if (has_user_only)
+    return "is it switched on? No password is kept for it: type the address once with it, name:password@";
+  return "check the address, and that the camera is switched on";
 }
 
-cv::VideoCapture openStream(const std::string& address) {
+cv::VideoCapture openStream(const CameraIdentity& stream) {
+  const std::string& address = stream.address;
+  const std::string opening = isFile(address) ? address : StreamLogins().openingAddress(stream);
   static const bool is_quiet = ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) == 0;
   (void)is_quiet;
-  if (!isFile(address)) readWithoutDelay();
+  const WithoutDelay options(!isFile(address));
   const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::VideoCapture video(
-      address, cv::CAP_FFMPEG,
+      opening, cv::CAP_FFMPEG,
       {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenWithin_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadWithin_ms});
   cv::utils::logging::setLogLevel(level);
   if (!video.isOpened())
     throw CameraError(CameraFault::missing, "the stream cannot be opened", address,
-                      isFile(address) ? "is the file whole, and its codec installed?"
-                                      : "check the address, and that the camera is switched on");
+                      remedyOf(stream, opening));
   return video;
 }
 
 class StreamCamera : public Camera {
  public:
   explicit StreamCamera(CameraIdentity identity)
-      : identity_(std::move(identity)), video_(openStream(identity_.address)) {}
+      : identity_(std::move(identity)), video_(openStream(identity_)) {}
   const CameraIdentity& identity() const override { return identity_; }
   CameraState configure(const CameraSettings& settings) override;
   void start() override;
@@ -114,7 +140,7 @@ CameraState StreamCamera::configure(const CameraSettings& settings) {
 void StreamCamera::start() {
   if (has_started_) {
     video_.release();  // first: many senders serve one receiver
-    video_ = openStream(identity_.address);
+    video_ = openStream(identity_);
   }
   has_started_ = is_running_ = true;
   intake_.restart();

@@ -128,13 +128,20 @@ CheckFinding checkSkin(const ScalpSurface& scalp) {
 
 CheckFinding checkWrapping(const ScanQuality& scan) {
   constexpr double kShare = 0.2;
-  for (const ScanSide& side : scan.sides)
-    if (side.wrapped_share > kShare)
-      return {CheckTopic::wrap_around, Verdict::caution,
-              "tissue of the opposite side appears at the " + side.name + " of the scan (" +
-                  formatted("%.0f %%", 100 * side.wrapped_share) + " of what is cut there)",
-              "phase oversampling, or a larger field of view"};
-  return {CheckTopic::wrap_around, Verdict::fine, "nothing appears on the wrong side of the scan", ""};
+  std::string places;
+  bool is_of_face = false;
+  for (const ScanSide& side : scan.sides) {
+    if (side.wrapped_share <= kShare && !side.is_wrapped) continue;
+    places += (places.empty() ? "the " : " and the ") + side.name +
+              formatted(" (%.0f %% of what is cut opposite)", 100 * side.wrapped_share);
+    is_of_face |= side.name == "front" || side.name == "back";
+  }
+  if (places.empty())
+    return {CheckTopic::wrap_around, Verdict::fine, "nothing appears on the wrong side of the scan", ""};
+  return {CheckTopic::wrap_around, Verdict::caution,
+          "tissue of the opposite side appears at " + places + " of the scan" +
+              (is_of_face ? ": the face may be cut or covered, look at the skin of face and back" : ""),
+          "phase oversampling, or a larger field of view"};
 }
 
 CheckFinding checkLeftRight(const volume::Volume& mri) {

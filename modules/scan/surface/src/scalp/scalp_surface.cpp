@@ -7,6 +7,7 @@
 #include "edge_width.h"
 #include "facenav/core/error.h"
 #include "masked_air.h"
+#include "measured_part.h"
 #include "scalp_edge.h"
 #include "scalp_outline.h"
 #include "skin_doubt.h"
@@ -32,10 +33,7 @@ std::vector<std::pair<Point<Mri>, Direction<Mri>>> endsOf(const volume::VoxelGri
   return planes;
 }
 
-}  // namespace
-
-ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor) {
-  if (!volume.grid.matches(head.grid)) throw Error("head mask and volume lie on different grids");
+ScalpSurface scalpOf(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor) {
   monitor.report("scalp", 0.0);
   ScalpSurface scalp;
   scalp.mesh = outlineOf(head, kVertexSpacing_mm, kOutlineBlur_mm);
@@ -60,6 +58,14 @@ ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head
   scalp.findings = face.findings;
   monitor.report("scalp", 1.0);
   return scalp;
+}
+
+}  // namespace
+
+ScalpSurface extractScalp(const volume::Volume& volume, const volume::Mask& head, TaskMonitor& monitor) {
+  if (!volume.grid.matches(head.grid)) throw Error("head mask and volume lie on different grids");
+  const auto measured = withoutPadding(volume, head);
+  return measured ? scalpOf(measured->scan, measured->head, monitor) : scalpOf(volume, head, monitor);
 }
 
 double skinDoubtUnder_mm(const ScalpSurface& scalp, const Point<Mri>& place, double reach_mm) {

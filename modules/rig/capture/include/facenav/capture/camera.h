@@ -21,6 +21,8 @@ struct CameraIdentity {
   std::string model;   // "HD Pro Webcam C920"
   std::string serial;  // empty: it has none
   std::string port;    // port that it is plugged into: "1-2.4", "192.168.1.20"; empty: unknown
+  std::string
+      full_address{};  // address as typed, if it has a password; never shown or written (stream_logins.h)
 };
 
 enum class CameraFault {

@@ -15,6 +15,8 @@ struct ScanSide {
   std::string name;          // "right", "left", "front", "back", "top", "bottom" of the patient
   double cut_area_mm2 = 0;   // area of the head cut on that side
   double wrapped_share = 0;  // fraction of the head's cut on the opposite side that shows up as tissue here
+  bool is_wrapped =
+      false;  // front and back only: the tissue here is like the cut opposite, or lies within it
 };
 
 struct ScanQuality {
