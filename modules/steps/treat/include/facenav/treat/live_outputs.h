@@ -38,8 +38,8 @@ class LiveOutputs {
   std::optional<std::vector<std::uint8_t>> content(const std::string& type, const std::string& name) const;
 
   mutable std::mutex mutex_;
-  Outputs outputs_;
   std::filesystem::path case_folder_;
+  Outputs outputs_;  // last: until they end, their threads may ask for content of the case
 };
 
 /// Content that a receiver asked for, from the case: IMAGE "MRI", POLYDATA "Scalp" or "Cortex", POINT
