@@ -9,6 +9,7 @@
 
 #include "facenav/links/igtl_content.h"
 #include "support/command_line.h"
+#include "support/free_port.h"
 #include "support/igtl_client.h"
 #include "support/recordings.h"
 #include "support/test_data.h"

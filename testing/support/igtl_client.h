@@ -15,19 +15,6 @@
 
 namespace facenav::testing {
 
-/// A port of loopback that is free now.
-inline int freePort() {
-  const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof place;
-  (void)::bind(probe, reinterpret_cast<sockaddr*>(&place), size);
-  (void)::getsockname(probe, reinterpret_cast<sockaddr*>(&place), &size);
-  ::close(probe);
-  return ntohs(place.sin_port);
-}
-
 class LoopbackClient {
  public:
   explicit LoopbackClient(int port)

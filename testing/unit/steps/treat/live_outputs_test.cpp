@@ -10,6 +10,7 @@
 #include "facenav/links/igtl_content.h"
 #include "facenav/treat/served_coil.h"
 #include "support/ball_case.h"
+#include "support/free_port.h"
 #include "support/igtl_client.h"
 #include "support/test_data.h"
 
