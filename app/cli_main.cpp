@@ -14,11 +14,11 @@ int main(int argc, char** argv) {
         {app::addCameras, app::addCalibrate, app::addRig, app::addRecord, app::addProjector, app::addMarker,
          app::addCalibrateCoil, app::addCoil}},
        {"Align", {app::addAlign, app::addCloud}},
-       {"Treat", {app::addTrack, app::addGuide, app::addThreshold}},
+       {"Treat", {app::addTrack, app::addGuide, app::addServe, app::addThreshold}},
        {"Review", {app::addSessions, app::addPulses, app::addHotspot, app::addNote, app::addReport}},
        {"Home", {app::addFaceCase, app::addImport}},
        {"Lab and others", {app::addLabVerbs, app::addSettings}}},
-      {"prepare", "align", "track", "guide", "cloud", "settings", "threshold", "hotspot", "pulses", "report",
-       "coil", "target", "rig"}};
+      {"prepare", "align", "track", "guide", "serve", "cloud", "settings", "threshold", "hotspot", "pulses",
+       "report", "coil", "target", "rig"}};
   return app::runProgram(clinic, argc, argv);
 }

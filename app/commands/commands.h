@@ -21,6 +21,7 @@ void addAlign(CLI::App& app, Context& context);
 void addTrack(CLI::App& app, Context& context);
 void addCloud(CLI::App& app, Context& context);
 void addGuide(CLI::App& app, Context& context);
+void addServe(CLI::App& app, Context& context);
 void addSessions(CLI::App& app, Context& context);
 void addPulses(CLI::App& app, Context& context);
 void addReport(CLI::App& app, Context& context);

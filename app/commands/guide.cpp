@@ -123,6 +123,7 @@ void addGuide(CLI::App& app, Context& context) {
     if (!session->live.rig.empty()) return guideLive(*request, *session, context);
     if (request->poses.empty())
       throw WrongUsage("it is not said what to guide", "give POSES (poses.csv), or --live RIG");
+    requireNoSession(*session);
     guideTable(*request, context);
   });
 }

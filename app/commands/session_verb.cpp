@@ -7,9 +7,12 @@
 #include "commands/session_commands.h"
 #include "commands/session_teller.h"
 #include "facenav/core/error.h"
+#include "facenav/links/igtl_client.h"
+#include "facenav/treat/served_coil.h"
 #include "facenav/treat/session_return.h"
 #include "idle_options.h"
 #include "json_output.h"
+#include "typed_values.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
@@ -59,6 +62,10 @@ steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& c
   request.speed = verb.speed;
   request.passes = verb.passes;
   if (!verb.live.rig.empty()) request.live = liveOf(verb, context);
+  if (!verb.tracker.empty())
+    request.makeCoilTracker = [words = verb.tracker, pose = steps::readTrackerPose(verb.tracker_pose)] {
+      return steps::makeServedCoilTracker(words, pose);
+    };
   return request;
 }
 
@@ -102,6 +109,20 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
                 "takes commands on standard input, and tells each pulse that is on the disk as a line of "
                 "JSON: " +
                     sessionCommandWords());
+  auto* tracker = verb.add_option("--tracker", session.tracker,
+                                  "the coil's pose from another tracker, by OpenIGTLink: "
+                                  "igtl://HOST[:PORT]/NAME; it is not synchronised with the cameras");
+  auto* tracker_pose =
+      verb.add_option("--tracker-pose", session.tracker_pose,
+                      "JSON file with camera_T_tracker: how that tracker stands to the left camera");
+  tracker->check(understoodBy(links::servedPoseFrom))->needs(tracker_pose);
+  tracker_pose->needs(tracker);
+  addOutputOptions(verb, session.outputs);
+}
+
+void requireNoSession(const SessionVerb& verb) {
+  requireNoOutputs(verb.outputs);
+  if (!verb.tracker.empty()) throw WrongUsage("--tracker needs a session", "use --live or --pulses");
 }
 
 void refuseIdleSession(const CLI::App& verb) {
@@ -117,6 +138,7 @@ steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& contex
   auto request = requestOf(verb, context);
   const bool has_keyboard = hasKeyboard(verb);
   noteInterrupted(verb, context);
+  request.outputs = openOutputs(verb.outputs, context.is_quiet);
   SessionCommands commands(coil_library::coilLibrary(verb.coil.library));
   SessionTeller teller(context.is_quiet || verb.has_commands || verb.is_json);
   std::optional<PulseKeys> keys;

@@ -10,6 +10,7 @@
 
 #include "commands/coil_option.h"
 #include "commands/live_option.h"
+#include "commands/output_option.h"
 #include "facenav/treat/treat_recording.h"
 
 namespace facenav::app {
@@ -28,14 +29,20 @@ struct SessionVerb {
   double speed = 1;
   int passes = 1;
   bool is_json = false;  // its result is printed as JSON
+  OutputChoice outputs;
+  std::string tracker;  // "igtl://HOST:PORT/NAME": the coil's pose; empty: the cameras'
+  std::filesystem::path tracker_pose;
 };
 
 /// Adds --live, --rigs, --seconds.
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
-/// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands.
+/// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands, --tracker, --serve,
+/// --send.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Throws WrongUsage if an option of a session was given where none runs.
 void refuseIdleSession(const CLI::App& verb);
+/// Throws WrongUsage if an option is given that only a session in real time has.
+void requireNoSession(const SessionVerb& verb);
 /// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
 /// on stderr, one line each. The session is stored in each case. Throws Error.
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);

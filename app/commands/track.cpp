@@ -78,6 +78,7 @@ void run(steps::TrackRequest request, SessionVerb session, const std::filesystem
                      "give a RECORDING, or --live RIG");
   fillSession(request, session);
   if (is_live || !session.sources.empty()) return treat(session, output, context);
+  requireNoSession(session);
   const auto library = coil_library::coilLibrary(session.coil.library);
   if (!session.coil.words.empty()) request.coil_file = coil_library::coilFileOf(session.coil.words, library);
   track(request, output, session.is_json, context);

@@ -7,6 +7,9 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
+#include "facenav/links/igtl_content.h"
+#include "support/free_port.h"
+#include "support/igtl_client.h"
 #include "treat/session_end.h"
 #include "treat/treat_presenter.h"
 #include "treat_fixtures.h"
@@ -235,6 +238,29 @@ TEST(SessionEnd, AnEndThatFailsLetsTheReportAndTheWindowGoOn) {
         retirement, [] { throw Error("the disk is full"); }, [&] { is_reported = true; });
   }  // waits for both
   EXPECT_TRUE(is_reported);
+}
+
+TEST_F(TreatPresenterTest, PosesAreServedWhileTheSwitchIsOn) {
+  openAll(true, 400);
+  EXPECT_FALSE(treat_.isSending());
+  const int port = testing::freePort();
+  ASSERT_TRUE(treat_.sendTo("igtl:" + QString::number(port)));
+  testing::LoopbackClient client(port);
+  EXPECT_TRUE(fixtures::waitFor([&] { return treat_.receivers().size() == 1; }));
+  client.ask("GET_POLYDATA", "Scalp");
+  const auto scalp = client.next("POLYDATA");
+  ASSERT_TRUE(scalp);
+  EXPECT_GT(links::readSurface(scalp->content)->triangles.size(), 100u);
+  guide();
+  const auto coil = client.nextPose("Coil1ToTracker");
+  ASSERT_TRUE(coil);
+  EXPECT_LT((links::readTransform(coil->content)->matrix() - kMarker.matrix()).norm(), 1e-4);
+  EXPECT_TRUE(client.nextPose("CoilToTarget"));
+  EXPECT_TRUE(treat_.sendTo({}));
+  EXPECT_FALSE(treat_.isSending());
+  EXPECT_TRUE(client.isClosed());
+  EXPECT_TRUE(treat_.isRunning());
+  EXPECT_FALSE(treat_.sendTo("osc:nowhere"));
 }
 
 }  // namespace

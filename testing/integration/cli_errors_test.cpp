@@ -64,7 +64,7 @@ TEST_F(CommandLine, HelpHoldsEveryVerb) {
                            "sessions",  "pulses",    "report",
                            "face-case", "import",    "calibrate-coil",
                            "simulate",  "evaluate",  "evaluate prepare",
-                           "settings",  "demo"})
+                           "settings",  "demo",      "serve"})
     EXPECT_THAT(all.output, HasSubstr("Usage: facenav " + std::string(verb) + " ")) << verb;
 }
 

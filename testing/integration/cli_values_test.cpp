@@ -211,7 +211,7 @@ TEST_F(CommandValues, VerbsThatListOrReportTakeJson) {
        {"series",    "pacs find", "check",   "brain",     "worklist",       "label",     "locate",
         "target",    "plan",      "cameras", "calibrate", "calibrate-coil", "rig list",  "rig check",
         "coil list", "coil show", "align",   "track",     "guide",          "threshold", "sessions",
-        "pulses",    "hotspot",   "import",  "settings"})
+        "pulses",    "hotspot",   "import",  "settings",  "serve"})
     EXPECT_THAT(runFacenav("help " + std::string(verb)).output, HasSubstr("--json")) << verb;
 }
 

@@ -2,11 +2,6 @@
 // A real archive for the tests: Orthanc (Debian package), started on loopback with free ports and its own
 // storage in a temporary folder, stopped at the end.
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <fstream>
 #include <memory>
@@ -16,6 +11,7 @@
 #include "facenav/core/child_process.h"
 #include "facenav/core/error.h"
 #include "facenav/pacs/pacs.h"
+#include "support/free_port.h"
 #include "support/test_data.h"
 
 namespace facenav::testing {
@@ -24,18 +20,6 @@ inline std::string orthancProgram() {
   for (const char* path : {"/usr/sbin/Orthanc", "/usr/bin/Orthanc"})
     if (std::filesystem::exists(path)) return path;
   return {};
-}
-
-inline int freePort() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof address;
-  ::bind(socket, reinterpret_cast<sockaddr*>(&address), length);
-  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &length);
-  ::close(socket);
-  return ntohs(address.sin_port);
 }
 
 class Orthanc {

@@ -31,6 +31,25 @@ bool TreatPresenter::setPulseSource(const QString& words) {
   return true;
 }
 
+bool TreatPresenter::sendTo(const QString& words) {
+  bool is_opened = true;
+  try {
+    outputs_->close();
+    if (!words.isEmpty()) outputs_->open(words.toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    is_opened = false;
+  }
+  emit changed();
+  return is_opened;
+}
+
+QStringList TreatPresenter::receivers() const {
+  QStringList lines;
+  for (const auto& each : outputs_->receivers()) lines << QString::fromStdString(each);
+  return lines;
+}
+
 void TreatPresenter::setIntensity(std::optional<double> intensity_pct) {
   intensity_pct_ = intensity_pct;
   if (treatment_) treatment_->setIntensity(intensity_pct);

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
+#include "treat/outputs_row.h"
 #include "treat/screens_row.h"
 
 namespace facenav::ui {
@@ -32,6 +33,7 @@ SessionPanel::SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondS
   auto* column = new QVBoxLayout(this);
   for (QWidget* each : {makePause(), makePain(), makeAdverse(), makeSource(), makeSound()})
     column->addWidget(each);
+  column->addWidget(new OutputsRow(treat, this));
   column->addWidget(new ScreensRow(screens, projector, this));
   column->addStretch(1);
   connect(&treat_, &TreatPresenter::changed, this, &SessionPanel::showState);

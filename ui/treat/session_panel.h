@@ -1,6 +1,6 @@
 #pragma once
 // SessionPanel: controls of the session that do not concern the coil: pain before and after, adverse events,
-// pauses with their reason, source of the pulses, the sounds, and the other screens.
+// pauses with their reason, source of the pulses, the sounds, who gets the poses, and the other screens.
 
 #include <QFrame>
 

@@ -57,6 +57,7 @@ TreatPresenter::~TreatPresenter() {
 /// Discards pictures and alignment: another case may be another patient.
 void TreatPresenter::forgetCase() {
   stop("another case was opened");
+  outputs_->setCase(model_.current().store.folder());
   aligned_ = {};
   if (is_live_) recording_->capture.reset();
   cameras_.forgetPictures();
@@ -212,6 +213,7 @@ void TreatPresenter::begin(steps::PreparedTreatment& prepared) {
   treatment_ = std::make_shared<steps::Treatment>(std::move(prepared), chosen());
   last_session_ = treatment_->log().folder();
   treatment_->setIntensity(intensity_pct_);
+  treatment_->sendTo(outputs_);
   emit changed();
   listen();
 }

@@ -99,6 +99,12 @@ class TreatPresenter : public QObject {
   /// Remembered, and used at once by a running session. Returns false, after refused(), if it is invalid.
   bool setPulseSource(const QString& words);
   QString pulseSource() const { return pulse_source_; }
+  /// Sends the poses of this session and the next ones as links::openLiveOutput reads it; empty: nowhere.
+  /// Not remembered. Returns false, after refused(), if the output cannot be opened.
+  bool sendTo(const QString& words);
+  bool isSending() const { return !outputs_->isEmpty(); }
+  /// Who is connected, one line each.
+  QStringList receivers() const;
   /// Logs an event of the running session, or of this window's last one. Returns false if there is none.
   bool note(const QString& event, const QString& detail);
 
@@ -226,6 +232,7 @@ class TreatPresenter : public QObject {
   bool is_ending_ = false, stopped_for_end_ = false;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
+  std::shared_ptr<steps::LiveOutputs> outputs_ = std::make_shared<steps::LiveOutputs>();
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;
   QString target_, pulse_source_, doing_;

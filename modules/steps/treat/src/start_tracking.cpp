@@ -32,12 +32,11 @@ class NoHead : public head_tracking::HeadTracker {
 };
 
 std::unique_ptr<session::Navigator> makeNavigator(const Registrations& methods, const TrackRequest& request,
-                                                  const capture::Recording& recording, Start start,
+                                                  const cameras::StereoRig& rig, Start start,
                                                   const coil_tracking::CoilModel& coil,
                                                   std::unique_ptr<head_tracking::HeadTracker> head) {
-  session::NavigatorSetup setup{recording.rig, std::move(start.reference), start.camera_T_mri, coil, {},
-                                start.scalp};
-  setup.pace = head_tracking::Pace::patient;  // a recording may take longer than real time
+  session::NavigatorSetup setup{rig, std::move(start.reference), start.camera_T_mri, coil, {}, start.scalp};
+  setup.pace = request.pace;
   if (request.case_folder) setup.key_frames = casefile::readKeyFrames(*request.case_folder);
   auto navigator = std::make_unique<session::Navigator>(setup, std::move(head),
                                                         methods.coil_trackers.create(request.coil_tracker));
@@ -86,7 +85,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     Start start{{*frame, {}, {}}, camera_T_mri};
     start.reference.face_px = face->left.face;
     try {
-      started.navigator = makeNavigator(methods, request, recording, std::move(start), coil,
+      started.navigator = makeNavigator(methods, request, recording.rig, std::move(start), coil,
                                         methods.head_trackers.create(request.head_tracker));
       started.why_no_head.clear();
       return started;
@@ -103,7 +102,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     started.why_no_head = "both cameras see a face (frame " + std::to_string(*contradicted) +
                           "), but not where the calibration expects it; check which camera is left, and the "
                           "calibration";
-  started.navigator = makeNavigator(methods, request, recording, {{*first, {}, {}}, camera_T_mri}, coil,
+  started.navigator = makeNavigator(methods, request, recording.rig, {{*first, {}, {}}, camera_T_mri}, coil,
                                     std::make_unique<NoHead>());
   return started;
 }
@@ -152,9 +151,33 @@ StartedTracking startTracking(const Registrations& methods, const TrackRequest& 
     start = {started.alignment->reference, started.alignment->result.camera_T_mri, started.alignment->scalp};
   }
   started.is_aligned = true;
-  started.navigator = makeNavigator(methods, request, recording, std::move(start), coil,
+  started.navigator = makeNavigator(methods, request, recording.rig, std::move(start), coil,
                                     methods.head_trackers.create(request.head_tracker));
   return started;
+}
+
+StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest& request,
+                                capture::FrameSource& source, const coil_tracking::CoilModel& coil,
+                                TaskMonitor& monitor) {
+  const auto detector = methods.face_detector();
+  while (const auto frame = source.next()) {
+    monitor.report("looking for a face", -1);
+    if (!frame->absence.empty()) continue;
+    const auto face = face::findStereoFace(*detector, source.rig(), *frame);
+    if (!face) continue;
+    Start start{{*frame, {}, {}}, std::nullopt};
+    start.reference.face_px = face->left.face;
+    try {
+      StartedTracking started;
+      started.navigator = makeNavigator(methods, request, source.rig(), std::move(start), coil,
+                                        methods.head_trackers.create(request.head_tracker));
+      return started;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {  // the face cannot be tracked from this frame; the next one may be better
+    }
+  }
+  throw Error("the cameras ended before a face was found");
 }
 
 }  // namespace facenav::steps

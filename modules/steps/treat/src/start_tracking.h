@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "facenav/capture/frame_source.h"
 #include "facenav/session/navigator.h"
 #include "facenav/treat/track_recording.h"
 
@@ -23,5 +24,11 @@ struct StartedTracking {
 StartedTracking startTracking(const Registrations& methods, const TrackRequest& request,
                               const capture::Recording& recording, const coil_tracking::CoilModel& coil,
                               TaskMonitor& monitor);
+
+/// Starts with live cameras, without a case, at the first frame in which the face is found. It waits for the
+/// face until `monitor` is cancelled, and then throws Cancelled.
+StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest& request,
+                                capture::FrameSource& source, const coil_tracking::CoilModel& coil,
+                                TaskMonitor& monitor);
 
 }  // namespace facenav::steps

@@ -82,15 +82,17 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
 
 TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
                            const capture::Recording& recording) {
-  return {
-      [&methods, request](const session::NavigatorSetup& setup) {
-        return std::make_unique<session::Navigator>(setup, methods.head_trackers.create(request.head_tracker),
-                                                    methods.coil_trackers.create(request.coil_tracker));
-      },
-      [recording, passes = request.passes, live = request.live] {
-        if (live) return live->open();
-        return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
-      }};
+  return {[&methods, request](const session::NavigatorSetup& setup) {
+            auto coil = request.makeCoilTracker ? request.makeCoilTracker()
+                                                : methods.coil_trackers.create(request.coil_tracker);
+            return std::make_unique<session::Navigator>(
+                setup, methods.head_trackers.create(request.head_tracker), std::move(coil));
+          },
+          [recording, passes = request.passes, live = request.live] {
+            if (live) return live->open();
+            return passes == 1 ? capture::makeSource(recording)
+                               : capture::makeSwingingSource(recording, passes);
+          }};
 }
 
 /// Returns the target; a continued session keeps its own.
@@ -159,6 +161,10 @@ TreatRecordingOutcome treatRecording(const Registrations& methods, const TreatRe
     if (const auto caution = otherCoilCaution(target->target, wanted.coil.name)) logWarning(*caution);
   Treatment treatment(prepareTreatment(wanted, devicesOf(methods, request, wanted.recording)), target);
   treatment.setIntensity(request.intensity_pct);
+  if (request.outputs) {
+    request.outputs->setCase(request.case_folder);
+    treatment.sendTo(request.outputs);
+  }
   for (auto& source : sources) treatment.listen(std::move(source));
   TreatRecordingOutcome outcome;
   const auto processing_ms = follow(treatment, request, wanted.recording.frame_count, monitor);

@@ -150,6 +150,7 @@ links::PulseListener Treatment::listenerFor(const std::string& source) {
             const double set_pct = intensity_pct_;
             if (!trigger.intensity_pct && set_pct >= 0) trigger.intensity_pct = set_pct;
             log->addPulse(trigger);
+            if (const auto outputs = std::atomic_load(&outputs_)) outputs->publish(trigger);
           },
           [log, source](const std::string& words) {
             log->addEvent(report::session_events::kSource,
@@ -171,6 +172,12 @@ std::optional<std::string> Treatment::tryToListen(const std::string& source) {
     log_->addEvent(report::session_events::kSource, withoutFolders(error.what()));
     return error.what();
   }
+}
+
+void Treatment::sendTo(std::shared_ptr<LiveOutputs> outputs) {
+  std::atomic_store(&outputs_, outputs);
+  session_->follow(outputs ? [outputs](const session::NavigationState& state) { outputs->publish(state); }
+                           : std::function<void(const session::NavigationState&)>());
 }
 
 /// Sets the plan; the target's own dose has priority.

@@ -32,12 +32,15 @@ struct Session::Implementation {
   std::optional<coil_tracking::CoilModel> new_coil;
   std::optional<bool> wanted_check;  // value: withhold the poses until the check passes
   std::optional<bool> is_judged_wrong;
+  std::optional<std::function<void(const NavigationState&)>> new_listener;
   std::string failure;
   std::optional<Timestamp> started, ended;
   SessionEnd end = SessionEnd::none;
   std::thread capture_thread, tracking_thread;
+  std::function<void(const NavigationState&)> listener;  // of the tracking thread
 
   void capture();
+  void takeListener();
   void track();
   void publishFailure();
   void requestStop();
@@ -61,13 +64,22 @@ void Session::Implementation::guarded(Body body) {
 
 /// Publishes the failure. Called last on the tracking thread, so that no pose follows it.
 void Session::Implementation::publishFailure() {
+  takeListener();
   std::lock_guard lock(mutex);
   if (failure.empty()) return;
   const auto last = states.latest();
   NavigationState state = last ? *last : NavigationState{};
   state.failure = failure;
   state.arrived = Timestamp::now();
-  states.publish(std::make_shared<NavigationState>(blanked(state, LostReason::camera)));
+  const auto last_state = std::make_shared<NavigationState>(blanked(state, LostReason::camera));
+  states.publish(last_state);
+  if (listener) listener(*last_state);
+}
+
+void Session::Implementation::takeListener() {
+  std::lock_guard lock(mutex);
+  if (new_listener) listener = std::move(*new_listener);
+  new_listener.reset();
 }
 
 /// Records why the session ended. Called before the states are closed, so that a consumer can ask then.
@@ -131,11 +143,13 @@ void Session::Implementation::track() {
       wanted_check.reset();
       if (is_judged_wrong) navigator->judgeAlignment(*is_judged_wrong);
     }
+    takeListener();
     auto state = std::make_shared<NavigationState>(navigator->process(next->frame));
     state->arrived = next->arrived;
     state->taken = options.is_paced ? next->arrived : state->captured;  // live cameras use the steady clock
     state->latency_ms = (Timestamp::now() - next->arrived) * 1e3;
     state->dropped = frames.dropped();
+    if (listener) listener(*state);
     states.publish(std::move(state));
   }
 }
@@ -217,6 +231,11 @@ void Session::setTarget(std::optional<ChosenTarget> target) {
 void Session::setCoil(const coil_tracking::CoilModel& coil) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->new_coil = coil;
+}
+
+void Session::follow(std::function<void(const NavigationState&)> listener) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->new_listener = std::move(listener);
 }
 
 void Session::checkRegistration(bool is_withheld_until) {

@@ -21,6 +21,7 @@ struct TrackRequest {
   std::string aligner, head_tracker, coil_tracker;  // registered names
   std::string target;                               // in the case; empty: no guidance
   bool keeps_key_frames = false;  // stores key frames of the face with the case, for the next session
+  head_tracking::Pace pace = head_tracking::Pace::patient;  // a recording may take longer than real time
 };
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil

@@ -37,6 +37,9 @@ struct TreatRecordingRequest {
   int passes = 1;            // through the recording, alternately forwards and backwards; 0: endless
   /// Called every few milliseconds while the session runs; return false to end it. May be empty.
   std::function<bool(Treatment&)> look = {};
+  /// Makes the tracker of the coil; null: the one named coil_tracker.
+  std::function<std::unique_ptr<coil_tracking::CoilTracker>()> makeCoilTracker = nullptr;
+  std::shared_ptr<LiveOutputs> outputs = nullptr;  // where states and pulses are sent; null: nowhere
   /// Uses live cameras. The alignment is then the case's own, and guidance is withheld until it is checked.
   std::optional<LiveCameras> live = {};
 };

@@ -19,6 +19,7 @@
 #include "facenav/report/session_notes.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/setup/cameras_learnt.h"
+#include "facenav/treat/live_outputs.h"
 
 namespace facenav::steps {
 
@@ -125,6 +126,8 @@ class Treatment {
   std::optional<std::string> tryToListen(const std::string& source);
   /// Stops these sources.
   void stopListening();
+  /// Sends every state and pulse to these outputs from now on; null: to none.
+  void sendTo(std::shared_ptr<LiveOutputs> outputs);
   /// Adds a pulse by the window's key or button, pressed at that time.
   void pressPulse(Timestamp at = Timestamp::now()) { keyboard_.press(at); }
   /// Sets the intensity of the next pulses whose source does not send it; % of the maximal output.
@@ -170,6 +173,7 @@ class Treatment {
   std::shared_ptr<session::Session> session_;
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: unknown; read by the sources' threads
+  std::shared_ptr<LiveOutputs> outputs_;   // null: none; read by the sources' threads, atomically
   std::optional<casefile::Protocol> protocol_;
   std::optional<int> planned_pulses_;
   Timestamp checked_ = Timestamp::now();  // time of the last registration check

@@ -5,6 +5,7 @@
 // latest() at its own rate. Past the age limit, after a fault or after the recording's end, latest() is
 // blanked: an old pose is never shown.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -55,6 +56,9 @@ class Session {
   /// Time from start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
+  /// Calls `listener` with every state, from the next frame on, and with that of a failure. It runs on the
+  /// tracking thread and must return at once. Empty: none.
+  void follow(std::function<void(const NavigationState&)> listener);
   /// Calls Navigator::setCoil, from the next frame on.
   void setCoil(const coil_tracking::CoilModel& coil);
   /// Calls Navigator::checkRegistration, from the next frame on.

@@ -1,0 +1,30 @@
+#pragma once
+// Where poses, state and pulses are sent while a verb tracks: --serve, --address, --send.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facenav/treat/live_outputs.h"
+
+namespace facenav::app {
+
+struct OutputChoice {
+  bool is_served = false;
+  int port = links::kIgtlPort;
+  std::string address = "127.0.0.1";
+  std::vector<std::string> send;  // words of links::openLiveOutput
+};
+
+/// Adds --serve [PORT], --address and --send.
+void addOutputOptions(CLI::App& verb, OutputChoice& choice);
+/// Adds --address and --send, for a verb that always serves.
+void addSendOptions(CLI::App& verb, OutputChoice& choice);
+/// Throws WrongUsage if an output is chosen for work that does not run in real time.
+void requireNoOutputs(const OutputChoice& choice);
+/// Opens the outputs and says so on stderr; null if none is chosen. Throws Error if one cannot be opened.
+std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet);
+
+}  // namespace facenav::app

@@ -1,0 +1,81 @@
+// facenav serve RECORDING, or --rig NAME: tracks head and coil and sends their poses to other programs.
+
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "commands/live_option.h"
+#include "commands/output_option.h"
+#include "facenav/treat/serve_poses.h"
+#include "json_output.h"
+#include "typed_values.h"
+#include "wrong_usage.h"
+
+namespace facenav::app {
+namespace {
+
+struct ServeVerb {
+  steps::ServeRequest request;
+  LiveChoice cameras;
+  OutputChoice outputs;
+  bool is_json = false;
+};
+
+void serve(Context& context, ServeVerb verb) {
+  auto& request = verb.request;
+  const bool is_live = !verb.cameras.rig.empty() || !verb.cameras.left.empty();
+  if (is_live == !request.track.recording.empty())
+    throw WrongUsage(is_live ? "a recording and cameras are both given" : "it is not said what to track",
+                     "give a RECORDING, or --rig NAME");
+  if (is_live && request.track.case_folder)
+    throw WrongUsage("live cameras are served here without a case",
+                     "for a session of a case: facenav track --live RIG --case CASE --serve");
+  if (!request.track.target.empty() && !request.track.case_folder)
+    throw WrongUsage("a target belongs to a case", "give it with --case");
+  if (is_live) request.openCameras = [&verb, &context] { return openLive(verb.cameras, context); };
+  const auto& methods = context.registrations;
+  request.track.aligner = methods.aligners.defaultName();
+  request.track.head_tracker = methods.head_trackers.defaultName();
+  request.track.coil_tracker = methods.coil_trackers.defaultName();
+  const auto& coil = verb.cameras.coil;
+  if (!coil.words.empty())
+    request.track.coil_file = coil_library::coilFileOf(coil.words, coil_library::coilLibrary(coil.library));
+  verb.outputs.is_served = true;
+  request.outputs = openOutputs(verb.outputs, context.is_quiet);
+  const auto outcome = steps::servePoses(methods, request, context.monitor);
+  if (verb.is_json) return printJson({{"frames", outcome.frames}, {"dropped", outcome.dropped}});
+  if (!context.is_quiet)
+    std::printf("%lld frames served, %llu dropped before tracking\n", static_cast<long long>(outcome.frames),
+                static_cast<unsigned long long>(outcome.dropped));
+}
+
+}  // namespace
+
+void addServe(CLI::App& app, Context& context) {
+  auto* verb = app.add_subcommand(
+      "serve", "recording or live cameras -> poses of head and coil for other programs, by OpenIGTLink");
+  const auto request = std::make_shared<ServeVerb>();
+  verb->add_option("RECORDING", request->request.track.recording, "recording folder; or live cameras");
+  addLiveOptions(*verb, request->cameras);
+  addVerifyingCoilOptions(*verb, request->cameras);
+  verb->add_option("--case", request->request.track.case_folder,
+                   "with a recording: case folder; also serves the poses in the MRI, and MRI and surfaces on "
+                   "request");
+  verb->add_option("--target", request->request.track.target, "name of the target, for CoilToTarget");
+  verb->add_option("--port", request->outputs.port, "port of the OpenIGTLink server; 0: any free one")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535));
+  addSendOptions(*verb, request->outputs);
+  verb->add_option("--seconds", request->request.seconds, "how long; default: to the end, or until Ctrl-C")
+      ->check(CLI::Range(0.1, 86400.0));
+  verb->add_option("--speed", request->request.speed, "plays a recording slower or faster than it was")
+      ->check(CLI::Range(0.05, 20.0))
+      ->capture_default_str();
+  verb->add_option("--passes", request->request.passes,
+                   "plays a recording so often, forwards and backwards in turn; 0: without end")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  verb->add_flag("--json", request->is_json, "the result as JSON");
+  verb->callback([&context, request] { serve(context, *request); });
+}
+
+}  // namespace facenav::app
