@@ -6,6 +6,7 @@
 #include "facenav/efield/coil_file.h"
 #include "facenav/plan/best_pose.h"
 #include "facenav/plan/cortex_field.h"
+#include "facenav/plan/threshold_dose.h"
 
 namespace facenav::steps {
 
@@ -24,6 +25,7 @@ struct WantedField {
   std::string coil;  ///< as efield::fieldCoil takes it
   CurrentRate rate = {};
   std::shared_ptr<const surface::TriangleMesh> drawn = {};  ///< null: nothing is drawn
+  std::optional<HotspotThreshold> threshold = {};
 };
 
 /// Fields in V/m at the rate.
@@ -34,7 +36,8 @@ struct PlannedField {
   double at_target = 0, along_normal = 0;  ///< both > 0
   double peak = 0, peak_distance_mm = 0;
   Point<Mri> peak_place;
-  std::vector<float> strength = {};  ///< at the vertices of the drawn surface
+  std::optional<ThresholdDose> dose = {};  ///< if the threshold is given
+  std::vector<float> strength = {};        ///< at the vertices of the drawn surface
 };
 /// Throws Error as efield::fieldCoil and inA_per_us do; Cancelled.
 PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskMonitor& monitor);
