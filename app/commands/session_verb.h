@@ -23,6 +23,7 @@ struct SessionVerb {
   std::vector<std::string> sources;                 // sources of pulses
   std::string target, by, reason;
   std::optional<double> intensity_pct;
+  std::string field_coil = steps::kUsualFieldCoil;
   bool goes_on = false, has_commands = false;
   std::string session;
   double speed = 1;
@@ -32,7 +33,7 @@ struct SessionVerb {
 
 /// Adds --live, --rigs, --seconds.
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
-/// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands.
+/// Adds --pulses, --intensity, --field-coil, --by, --override, --continue, --session, --commands.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
 /// on stderr, one line each. The session is stored in each case. Throws Error.
