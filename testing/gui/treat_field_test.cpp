@@ -15,6 +15,7 @@
 #include "plan/field_presenter.h"
 #include "shell/colour_legend.h"
 #include "shell/scene_view.h"
+#include "support/window_checks.h"
 #include "treat/live_field_view.h"
 #include "treat/motor_panel.h"
 #include "treat/treat_workspace.h"
@@ -175,6 +176,9 @@ TEST_F(TreatField, ThePageColoursTheBrainAndSaysTheDose) {
   auto* dose = page.findChild<MotorPanel*>()->findChild<QLabel*>("dose");
   EXPECT_TRUE(fixtures::waitFor([&] { return dose->text().contains("dose by field"); }));
   fixtures::waitFor([] { return false; }, 700);  // time to draw
+  EXPECT_EQ(testing::cutTexts(*view).join('\n').toStdString(), "");
+  auto* words = view->findChild<QLabel*>("muted");
+  EXPECT_GE(words->height(), words->heightForWidth(words->width()));
   if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
     page.grab().save(QString("%1/treat_field.png").arg(pictures));
   treat_.pause("coil too warm");

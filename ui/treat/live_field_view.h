@@ -17,7 +17,11 @@ class LiveFieldView : public QFrame {
  public:
   explicit LiveFieldView(LiveFieldPresenter& presenter, QWidget* parent = nullptr);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fitHeight();
   void showField();
 
   LiveFieldPresenter& presenter_;
