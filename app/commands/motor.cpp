@@ -9,8 +9,11 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/twitches.h"
 #include "facenav/core/error.h"
+#include "facenav/efield/coil_file.h"
 #include "facenav/report/session_notes.h"
 #include "facenav/treat/hotspot.h"
+#include "facenav/treat/mep_by_field.h"
+#include "facenav/treat/pulse_fields.h"
 #include "wrong_usage.h"
 
 namespace facenav::app {
@@ -57,6 +60,62 @@ void print(const steps::Hotspot& h) {
   std::printf("largest answer: pulse %d\n", h.peak_pulse);
 }
 
+Json toJson(const steps::MepByField& map, const std::string& coil) {
+  const auto& found = map.regression;
+  Json json{{"by", "field"},
+            {"is_explained", found.is_explained},
+            {"pulses", map.pulses},
+            {"left_out", map.left_out},
+            {"with_intensity", map.by_rate},
+            {"coil", steps::fieldCoilName(coil)},
+            {"tier", int(map.tier)},
+            {"response", toString(found.response)},
+            {"r2", found.r2},
+            {"r2_linear", found.r2_linear.maxCoeff()},
+            {"r2_log", found.r2_log.maxCoeff()},
+            {"chance", found.chance}};
+  json["spot_mm"] = found.is_explained ? pointOf(map.spot) : Json();
+  json["region_mm"] = found.is_explained ? Json(map.region_mm) : Json();
+  json["region_places"] = found.is_explained ? Json(map.region_places) : Json();
+  return json;
+}
+
+void print(const steps::MepByField& map, const std::string& coil) {
+  const auto& found = map.regression;
+  std::printf("%d pulses with MEP and pose, regressed on the local field (coil %s, tier %d%s)\n", map.pulses,
+              steps::fieldCoilName(coil).c_str(), int(map.tier),
+              map.by_rate ? ", at each pulse's output" : "; no output is known");
+  if (map.left_out > 0)
+    std::printf("%d more have an MEP, but no pose or no output: left out\n", map.left_out);
+  if (!found.is_explained) {
+    std::printf("nothing is explained: no place of the cortex explains the MEPs better than chance\n");
+    std::printf("best R2 %.2f; shuffled MEPs reach it in %.0f %%\n", found.r2, 100 * found.chance);
+    return;
+  }
+  std::printf("spot that explains the muscle: %s mm, R2 %.2f (%s MEP; linear %.2f, log %.2f)\n",
+              words(map.spot).c_str(), found.r2,
+              found.response == stimulation::FieldResponse::log ? "logarithm of the" : "straight line of the",
+              found.r2_linear.maxCoeff(), found.r2_log.maxCoeff());
+  std::printf("region: 95 %% of resampled pulses have their spot within %.1f mm, at %d places\n",
+              map.region_mm, map.region_places);
+  std::printf("shuffled MEPs reach this R2 in %.1f %%\n", 100 * found.chance);
+}
+
+struct HotspotRequest {
+  std::filesystem::path case_folder;
+  std::string session, by = "axis", coil = steps::kUsualFieldCoil;
+  bool is_json = false;
+};
+
+void showByField(const HotspotRequest& request, const casefile::CaseStore& store,
+                 const std::filesystem::path& folder) {
+  const steps::PoseFields fields(std::make_shared<const steps::ReadHead>(store),
+                                 efield::fieldCoil(request.coil).dipoles);
+  const auto map = steps::mepByField(fields, casefile::readSessionPulses(folder));
+  if (request.is_json) return void(std::printf("%s\n", toJson(map, request.coil).dump(1).c_str()));
+  print(map, request.coil);
+}
+
 struct Notes {
   std::filesystem::path case_folder;
   std::string session, adverse, by, muscle, stimulator;
@@ -85,19 +144,23 @@ void addHotspot(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "hotspot",
       "where the muscle answers most: peak, centre of gravity and area on the cortex, of a session's pulses");
-  struct Request {
-    std::filesystem::path case_folder;
-    std::string session;
-    bool is_json = false;
-  };
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<HotspotRequest>();
   verb->add_option("CASE", request->case_folder, "case folder")->required();
   verb->add_option("SESSION", request->session, "its name, or how it begins; default: the newest");
+  verb->add_option(
+          "--by", request->by,
+          "axis: where the coil's axis meets the brain; field: which place's field explains the MEPs")
+      ->check(CLI::IsMember({"axis", "field"}))
+      ->capture_default_str();
+  verb->add_option("--coil", request->coil,
+                   "with --by field: the coil's field, figure8-70, round, or a .ccd, .tcd, .nii.gz file")
+      ->capture_default_str();
   verb->add_flag("--json", request->is_json, "as JSON");
   verb->callback([&context, request] {
     (void)context;
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto folder = casefile::findSession(store.folder(), request->session);
+    if (request->by == "field") return showByField(*request, store, folder);
     const auto hotspot = steps::hotspotOf(cortexOf(store), casefile::readSessionPulses(folder),
                                           casefile::readTwitches(folder));
     if (!hotspot)

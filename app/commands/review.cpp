@@ -14,6 +14,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_review.h"
 #include "facenav/review/mep_import.h"
+#include "facenav/treat/pulse_fields.h"
 #include "idle_options.h"
 #include "typed_values.h"
 #include "wrong_usage.h"
@@ -61,6 +62,20 @@ Json toJson(const report::SessionSummary& s) {
           {"problems", s.problems}};
 }
 
+void addField(const casefile::Pulse& pulse, Json& json) {
+  const auto& field = pulse.field;
+  std::optional<double> at_rate;
+  if (field && field->rate_A_per_us) at_rate = field->peak * *field->rate_A_per_us;
+  json["e_target_v_per_m_per_a_per_us"] = field ? known(field->at_target) : Json();
+  json["e_max_v_per_m"] = known(at_rate);
+  json["e_max_v_per_m_per_a_per_us"] = field ? Json(field->peak) : Json();
+  json["e_max_mm"] = Json();
+  if (field)
+    json["e_max_mm"] = {field->peak_place.mm.x(), field->peak_place.mm.y(), field->peak_place.mm.z()};
+  json["field_tier"] = field ? Json(field->tier) : Json();
+  json["field_coil"] = field ? Json(field->coil) : Json();
+}
+
 Json toJson(const casefile::ReviewedPulse& reviewed) {
   const casefile::Pulse& pulse = reviewed.pulse;
   Json json{{"pulse", pulse.number},
@@ -88,6 +103,7 @@ Json toJson(const casefile::ReviewedPulse& reviewed) {
   json["e_target_v_per_m"] = known(pulse.e_target_v_per_m);
   json["mep_uv"] = known(pulse.mep_uv);
   json["latency_ms"] = known(pulse.latency_ms);
+  addField(pulse, json);
   json["excluded"] = reviewed.is_excluded;
   json["note"] = reviewed.note;
   return json;
@@ -114,7 +130,7 @@ void printNotes(const std::vector<std::string>& problems, const Context& context
 
 struct PulsesRequest {
   std::filesystem::path case_folder;
-  std::string session, reason, by;
+  std::string session, reason, by, field_coil;
   std::optional<std::filesystem::path> output;
   std::vector<int> exclude, include;
   std::vector<std::string> set_meps;  // "12=350"
@@ -167,6 +183,15 @@ void editPulses(const PulsesRequest& request, const std::filesystem::path& folde
   if (!context.is_quiet && !edits.empty())
     std::printf("%zu excluded, %zu taken in again; nothing was deleted\n", request.exclude.size(),
                 request.include.size());
+}
+
+void computeFields(const PulsesRequest& request, const casefile::CaseStore& store,
+                   const std::filesystem::path& folder, Context& context) {
+  if (request.field_coil.empty()) return;
+  const int computed = steps::computePulseFields(store, folder, request.field_coil, context.monitor);
+  if (!context.is_quiet)
+    std::printf("electric field of %d pulses computed; coil %s\n", computed,
+                steps::fieldCoilName(request.field_coil).c_str());
 }
 
 void showPulses(const PulsesRequest& request, const std::filesystem::path& folder, const Context& context) {
@@ -245,6 +270,9 @@ void addPulses(CLI::App& app, Context& context) {
                    "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
       ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
       ->allow_extra_args(false);
+  verb->add_option("--field", request->field_coil,
+                   "computes the electric field of each pulse's pose anew, for this coil: figure8-70, round, "
+                   "or a .ccd, .tcd, .nii.gz file");
   verb->callback([&context, request, verb] {
     refuseIdle(*verb, {"--reason"}, {"--exclude", "--include"});
     refuseIdle(*verb, {"--by"}, {"--exclude", "--include", "--mep", "--set-mep"});
@@ -256,7 +284,9 @@ void addPulses(CLI::App& app, Context& context) {
     const auto store = casefile::CaseStore::open(request->case_folder);
     const auto folder = casefile::findSession(store.folder(), request->session);
     if (request->edits()) editPulses(*request, folder, context);
-    if (!request->edits() || request->output || request->is_json) showPulses(*request, folder, context);
+    computeFields(*request, store, folder, context);
+    const bool changes = request->edits() || !request->field_coil.empty();
+    if (!changes || request->output || request->is_json) showPulses(*request, folder, context);
   });
 }
 

@@ -59,6 +59,7 @@ steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& c
   if (!verb.reason.empty()) request.override = {verb.by, verb.reason};
   request.goes_on = verb.goes_on;
   request.session = verb.session;
+  request.field_coil = verb.field_coil;
   request.speed = verb.speed;
   request.passes = verb.passes;
   if (!verb.live.rig.empty()) request.live = liveOf(verb, context);
@@ -98,6 +99,10 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
   verb.add_option("--intensity", session.intensity_pct,
                   "with --pulses: % of the maximal output, where the source does not know it")
       ->check(CLI::Range(0.0, 100.0));
+  verb.add_option("--field-coil", session.field_coil,
+                  "with --pulses: coil whose electric field is kept with each pulse: figure8-70, round, or a "
+                  ".ccd, .tcd, .nii.gz file")
+      ->capture_default_str();
   auto* by = verb.add_option("--by", session.by, "who overrides a missing sign-off");
   verb.add_option("--override", session.reason, "treats a case without a sign-off; why")->needs(by);
   auto* goes_on = verb.add_flag("--continue", session.goes_on,

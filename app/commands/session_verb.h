@@ -24,6 +24,7 @@ struct SessionVerb {
   std::vector<std::string> sources;                 // sources of pulses
   std::string target, by, reason;
   std::optional<double> intensity_pct;
+  std::string field_coil = steps::kUsualFieldCoil;
   bool goes_on = false, has_commands = false;
   std::string session;
   double speed = 1;
@@ -36,8 +37,8 @@ struct SessionVerb {
 
 /// Adds --live, --rigs, --seconds.
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
-/// Adds --pulses, --intensity, --by, --override, --continue, --session, --commands, --tracker, --serve,
-/// --send.
+/// Adds --pulses, --intensity, --field-coil, --by, --override, --continue, --session, --commands, --tracker,
+/// --serve, --send.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Throws WrongUsage if an option of a session was given where none runs.
 void refuseIdleSession(const CLI::App& verb);

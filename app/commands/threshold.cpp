@@ -20,7 +20,7 @@ using stimulation::ThresholdState;
 
 struct ThresholdCall {
   steps::ThresholdRequest search;
-  std::string method = "bayes";
+  std::string method = "bayes", target;
   std::optional<std::string> session;
   bool is_json = false;
 };
@@ -165,6 +165,8 @@ void addThreshold(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"bayes", "5of10"}))
       ->capture_default_str();
   verb->add_option("--muscle", request->search.muscle, "muscle and side, as the report shall name it");
+  verb->add_option("--target", request->target,
+                   "target of the plan where the coil is held: kept as the hotspot, for the dose by field");
   verb->add_option("--session", request->session,
                    "takes the pulses of this session in place of answers; '' for the newest");
   verb->add_flag("--new", request->search.is_new, "begins a new search, even if one is unfinished");
@@ -172,6 +174,7 @@ void addThreshold(CLI::App& app, Context& context) {
   verb->callback([&context, request] {
     const auto store = casefile::CaseStore::open(request->search.case_folder);
     request->search.method = stimulation::thresholdMethodFrom(request->method);
+    if (!request->target.empty()) request->search.target = store.targets().find(request->target);
     if (request->session) return showOfSession(*request, store.folder());
     ask(*request, context);
   });

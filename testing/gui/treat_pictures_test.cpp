@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "facenav/casefile/sign_off.h"
@@ -91,6 +95,56 @@ TEST_F(TreatPictures, OfTheToolsAndTheOtherScreens) {
     treat->screens().showProjector(false);
     EXPECT_EQ(window.size(), size) << "no words widen the window";
   }
+}
+
+/// The live field over the case's brain, and what tracking feels of it.
+TEST_F(TreatPictures, OfTheLiveField) {
+  const char* cases = fromEnvironment("FACENAV_GUI_CASES");
+  if (!cases) GTEST_SKIP() << "FACENAV_GUI_CASES is not set";
+  const fs::path case_folder = casefile::listCases(cases).front().folder;
+  QSettings().setValue("plan/field_rate", 66.0);
+  MainWindow window(servicesWith(app::makeRegistrations));
+  window.resize(1920, 1080);
+  window.show();
+  window.openCase(QString::fromStdString(case_folder.string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return !window.tasks().isRunning(); }, 90000));
+  window.setWorkspace(Workspace::treat);
+  auto* treat = window.findChild<TreatWorkspace*>();
+  for (const bool is_on : {false, true, false, true}) {
+    treat->field().setOn(is_on);
+    window.play(recording_, true);
+    ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 240000));
+    fixtures::waitFor([&] { return window.treat().state()->frame > 30; }, 10000);
+    if (is_on) ASSERT_TRUE(fixtures::waitFor([&] { return treat->field().picture().has_value(); }, 60000));
+    const auto first = window.treat().state();
+    std::vector<double> took_ms;
+    std::int64_t last = first->frame;
+    QElapsedTimer timer;
+    timer.start();
+    const int before = treat->field().computed();
+    bool has_taken = false;
+    while (window.treat().isRunning() && timer.elapsed() < 8000) {
+      fixtures::waitFor([&] { return window.treat().state()->frame != last; }, 200);
+      const auto state = window.treat().state();
+      if (state->frame != last && state->frame >= 0) took_ms.push_back(state->processing_ms);
+      last = state->frame;
+      if (is_on && !has_taken && timer.elapsed() > 1500) {
+        has_taken = true;
+        EXPECT_TRUE(window.grab().save(QString("%1/treat_live_field.png").arg(pictures_)));
+      }
+    }
+    const double seconds = 1e-3 * double(timer.elapsed());
+    std::sort(took_ms.begin(), took_ms.end());
+    const auto state = window.treat().state();
+    std::printf(
+        "field %s: %zu states seen in %.1f s, tracking %.2f ms median, %.2f ms p95, %.1f fields/s; %s\n",
+        is_on ? "on" : "off", took_ms.size(), seconds, took_ms.empty() ? 0.0 : took_ms[took_ms.size() / 2],
+        took_ms.empty() ? 0.0 : took_ms[took_ms.size() * 95 / 100],
+        double(treat->field().computed() - before) / seconds, treat->field().words().toStdString().c_str());
+    treat->presenter().end();
+    fixtures::waitFor([] { return false; }, 1500);
+  }
+  QSettings().clear();
 }
 
 TEST_F(TreatPictures, OfTheHomeWindow) {

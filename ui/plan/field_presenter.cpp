@@ -32,7 +32,7 @@ bool isSameWish(const std::optional<steps::WantedField>& a, const std::optional<
       a->against && b->against ? a->against->name == b->against->name && isSamePose(*a->against, *b->against)
                                : !a->against && !b->against;
   return isSamePose(a->target, b->target) && a->coil == b->coil && a->rate == b->rate &&
-         a->drawn == b->drawn && is_against_same;
+         a->drawn == b->drawn && a->threshold == b->threshold && is_against_same;
 }
 
 /// Reads the case, or takes what was read unless another model was written meanwhile.
@@ -60,6 +60,29 @@ double mostRate(steps::CurrentRate::Unit unit) {
   return unit == steps::CurrentRate::Unit::output_pct ? 100 : 1000;
 }
 
+QString rememberedFieldCoil() {
+  return QSettings().value(kFieldCoil, QString::fromStdString(efield::builtInCoils().front())).toString();
+}
+
+steps::CurrentRate rememberedFieldRate() {
+  const QSettings settings;
+  steps::CurrentRate rate;
+  rate.unit = settings.value(kFieldRateIsPercent, false).toBool() ? steps::CurrentRate::Unit::output_pct
+                                                                  : steps::CurrentRate::Unit::A_per_us;
+  rate.value = settings.value(kFieldRate, rate.value).toDouble();
+  return limitedRate(rate);
+}
+
+QString doseWords(const steps::ThresholdDose& dose) {
+  const QString words = FieldPresenter::tr(
+                            "dose by field: %1 % of the output gives this target the field that "
+                            "%2 had at its threshold of %3 %")
+                            .arg(std::lround(dose.output_pct))
+                            .arg(QString::fromStdString(dose.hotspot))
+                            .arg(std::lround(dose.threshold_pct));
+  return dose.output_pct > 100 ? words + FieldPresenter::tr(": more than the stimulator has") : words;
+}
+
 QString strengthFigure(double strength) {
   return QString::number(strength, 'f', strength >= 10 ? 0 : strength >= 1 ? 1 : 2);
 }
@@ -75,11 +98,8 @@ QString differenceWords(const steps::PoseComparison& compared) {
 FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* parent)
     : QObject(parent), plan_(plan), model_(model), fluid_(model) {
   is_on_ = settings_.value(kFieldShown, false).toBool();
-  coil_ = settings_.value(kFieldCoil, QString::fromStdString(efield::builtInCoils().front())).toString();
-  const bool is_percent = settings_.value(kFieldRateIsPercent, false).toBool();
-  rate_.unit = is_percent ? steps::CurrentRate::Unit::output_pct : steps::CurrentRate::Unit::A_per_us;
-  rate_.value = settings_.value(kFieldRate, rate_.value).toDouble();
-  rate_ = limitedRate(rate_);
+  coil_ = rememberedFieldCoil();
+  rate_ = rememberedFieldRate();
   for (auto signal : {&CaseModel::opened, &CaseModel::brainChanged})
     connect(&model_, signal, this, &FieldPresenter::forgetCase);
   connect(&plan_, &PlanPresenter::changed, this, &FieldPresenter::follow);
@@ -145,7 +165,7 @@ void FieldPresenter::followChoice() {
 }
 
 void FieldPresenter::setInSight(bool is_in_sight) {
-  is_in_sight_ = is_in_sight;
+  if (std::exchange(is_in_sight_, is_in_sight) != is_in_sight) readThreshold();
   follow();
 }
 
@@ -162,8 +182,15 @@ void FieldPresenter::forgetCase() {
   wanted_.reset();
   has_asked_ = false;
   build_failure_.clear();
+  readThreshold();
   restart();
   follow();
+}
+
+/// Reads the case's motor threshold, which a session may have found since.
+void FieldPresenter::readThreshold() {
+  threshold_.reset();
+  if (model_.isOpen()) threshold_ = steps::hotspotThreshold(model_.current().store.folder());
 }
 
 /// Drops the field if it is no longer that of the plan, and computes the new one.
@@ -171,6 +198,7 @@ void FieldPresenter::follow() {
   std::optional<steps::WantedField> next;
   if (is_on_ && is_in_sight_ && model_.isOpen() && plan_.active()) {
     next = steps::WantedField{*plan_.active(), coil_.toStdString(), rate_, drawn_};
+    next->threshold = threshold_;
     const auto* other = steps::find(plan_.plan(), against_.toStdString());
     if (other && other->name != next->target.name) next->against = *other;
   }
@@ -306,6 +334,7 @@ QString FieldPresenter::words() const {
           .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
                strengthFigure(shown_->peak))
           .arg(std::lround(shown_->peak_distance_mm));
+  const QString dose = shown_->dose ? "\n" + doseWords(*shown_->dose) : QString();
   return strengths +
          tr("; at %1 A/us; tier %2: %3, usual error %4 %")
              .arg(shown_->rate_A_per_us, 0, 'g', 4)
@@ -313,7 +342,8 @@ QString FieldPresenter::words() const {
              .arg(model)
              .arg(std::lround(100 * shown_->usual_error)) +
          modelWords() +
-         (fluid_.failure().isEmpty() ? QString() : tr("; no model with the fluid: %1").arg(fluid_.failure()));
+         (fluid_.failure().isEmpty() ? QString() : tr("; no model with the fluid: %1").arg(fluid_.failure())) +
+         dose;
 }
 
 QString FieldPresenter::barWords() const {

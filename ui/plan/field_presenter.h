@@ -74,6 +74,7 @@ class FieldPresenter : public QObject {
 
  private:
   void forgetCase();
+  void readThreshold();
   void follow();
   void followChoice();
   void restart();
@@ -95,6 +96,7 @@ class FieldPresenter : public QObject {
   QString coil_, failure_, against_, build_failure_;
   steps::CurrentRate rate_;
   std::shared_ptr<const surface::TriangleMesh> drawn_;
+  std::optional<steps::HotspotThreshold> threshold_;
   std::shared_ptr<const steps::ReadHead> head_;
   std::optional<steps::WantedField> wanted_;
   std::optional<steps::PlannedField> shown_;
@@ -111,6 +113,14 @@ QString differenceWords(const steps::PoseComparison& compared);
 /// Range of a rate, of its unit.
 constexpr double kLeastRate = 0.1;
 double mostRate(steps::CurrentRate::Unit unit);
+
+/// Coil and rate of the last choice, for other pages.
+QString rememberedFieldCoil();
+steps::CurrentRate rememberedFieldRate();
+
+/// "dose by field: 57 % of the output gives this target the field that M1 hand L had at its threshold of 48
+/// %"; with a caution if that is more than 100 %.
+QString doseWords(const steps::ThresholdDose& dose);
 
 /// Strength with two digits or more: "45", "4.5", "0.45".
 QString strengthFigure(double strength);

@@ -8,10 +8,22 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kValues = 12;
+constexpr int kValues = 15;
 
 const report::PulseColumnWords& valueColumn(int column) {
   return report::pulseColumns()[std::size_t(column - PulseTable::kFirstValue)];
+}
+
+/// Where the pulse's field was strongest, and by which model; empty: not known.
+QString fieldPlaceWords(const casefile::Pulse& pulse) {
+  if (!pulse.field) return {};
+  const auto& p_mm = pulse.field->peak_place.mm;
+  return PulseTable::tr("strongest at RAS %1 %2 %3 mm; tier %4, coil %5")
+      .arg(p_mm.x(), 0, 'f', 1)
+      .arg(p_mm.y(), 0, 'f', 1)
+      .arg(p_mm.z(), 0, 'f', 1)
+      .arg(pulse.field->tier)
+      .arg(QString::fromStdString(pulse.field->coil));
 }
 
 bool isValue(int column) {
@@ -101,6 +113,9 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
           session_->kept.pulses.edited_meps.count(reviewed.pulse.number))
         return tr("entered after the pulse; double click to type another");
       if (index.column() == kTarget || index.column() == noteColumn()) return text(reviewed, index.column());
+      if (index.column() == columnOf(report::PulseColumn::peak_field) ||
+          index.column() == columnOf(report::PulseColumn::peak_field_per_rate))
+        return fieldPlaceWords(reviewed.pulse);
       return QString::fromStdString(report::localTime(reviewed.pulse.utc) + " " + reviewed.pulse.reason);
     default:
       return {};

@@ -36,6 +36,12 @@ MotorPanel::MotorPanel(MotorPresenter& motor, TreatPresenter& treat, QWidget* pa
   threshold_->setWordWrap(true);
   threshold_->setToolTip(tr("estimate and 95 % interval of the motor threshold, % of the maximal output"));
   column->addWidget(threshold_);
+  dose_ = new QLabel(this);
+  dose_->setObjectName("dose");
+  dose_->setWordWrap(true);
+  dose_->setToolTip(tr(
+      "from the electric fields of hotspot and target, each at its planned pose; nothing is set by itself"));
+  column->addWidget(dose_);
   column->addWidget(makeSearch());
   site_ = new QLabel(this);
   site_->setWordWrap(true);
@@ -150,6 +156,8 @@ void MotorPanel::showState() {
     output_->setText(intensity ? QString::number(*intensity, 'g', 4) : QString());
   showQuestion();
   threshold_->setText(motor_.thresholdWords());
+  dose_->setText(motor_.doseWords());
+  dose_->setVisible(!motor_.doseWords().isEmpty());
   search_->setText(motor_.isSearching() ? tr("End search") : tr("Find threshold"));
   back_->setEnabled(motor_.canTakeBack());
   method_->setEnabled(!motor_.isSearching());

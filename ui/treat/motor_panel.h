@@ -34,7 +34,7 @@ class MotorPanel : public QFrame {
   QLineEdit *output_, *mep_, *muscle_;
   QPushButton *twitch_, *none_, *search_, *back_, *hunt_, *previous_, *next_;
   QComboBox* method_;
-  QLabel *question_, *threshold_, *site_;
+  QLabel *question_, *threshold_, *dose_, *site_;
 };
 
 }  // namespace facenav::ui

@@ -32,8 +32,10 @@ void MotorPresenter::take(const session::AddedPulse& pulse, Keep keep) {
                     "type the output that is set, before the next pulse");
       keep(*pulse.intensity_pct);
       was_searched_ = true;
-      if (search_->state().isDone())
+      if (search_->state().isDone()) {
         treat_.note(report::session_events::kThreshold, QString::fromStdString(search_->inWords()));
+        emit found();
+      }
       showIntensity();
     }
   } catch (const Error& error) {
@@ -72,8 +74,9 @@ void MotorPresenter::showIntensity() {
 void MotorPresenter::search(stimulation::ThresholdMethod method, const QString& muscle) {
   if (!model_.isOpen()) return;
   try {
-    search_ = std::make_unique<steps::MotorThreshold>(
-        steps::ThresholdRequest{model_.current().store.folder(), method, muscle.trimmed().toStdString()});
+    steps::ThresholdRequest request{model_.current().store.folder(), method, muscle.trimmed().toStdString()};
+    if (const auto* target = treat_.target()) request.target = *target;
+    search_ = std::make_unique<steps::MotorThreshold>(request);
     before_search_ = treat_.newestPulse();
     was_searched_ = false;
     showIntensity();
@@ -111,6 +114,11 @@ QString MotorPresenter::thresholdWords() const {
   const QString words = QString::fromStdString(search_->inWords());
   if (state.isDone()) return tr("THRESHOLD %1").arg(words);
   return tr("set the output to %1 %, one pulse, then answer\n%2").arg(*state.next_pct, 0, 'f', 0).arg(words);
+}
+
+void MotorPresenter::setDose(const QString& words) {
+  dose_ = words;
+  emit changed();
 }
 
 void MotorPresenter::hunt() {

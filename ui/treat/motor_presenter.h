@@ -38,6 +38,10 @@ class MotorPresenter : public QObject {
   /// "52.3 % (95 % interval ..), bayes, 9 responses of 18 pulses; set the output to 52 %", or what to do.
   QString thresholdWords() const;
 
+  /// Sets what the dose by field says of the chosen target; empty: nothing (live_field_presenter.h).
+  void setDose(const QString& words);
+  QString doseWords() const { return dose_; }
+
   /// Makes sites around the chosen target, its own site first, and guides to it.
   void hunt();
   void endHunt();
@@ -49,6 +53,8 @@ class MotorPresenter : public QObject {
 
  signals:
   void changed();
+  /// A search ended with a threshold.
+  void found();
   void refused(const QString& words);
 
  private:
@@ -62,6 +68,7 @@ class MotorPresenter : public QObject {
   int answered_ = 0;           // number of the pulse answered last in this session; 0: none
   int before_search_ = 0;      // number of the newest pulse when the search began
   bool was_searched_ = false;  // the search uses the last answer
+  QString dose_;
   std::vector<guidance::Target> sites_;
   std::size_t site_ = 0;
 };

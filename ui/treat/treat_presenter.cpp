@@ -6,6 +6,7 @@
 #include "facenav/core/software_version.h"
 #include "facenav/prepare/sign_off_gate.h"
 #include "facenav/treat/session_return.h"
+#include "plan/field_presenter.h"
 #include "treat/recording_words.h"
 
 namespace facenav::ui {
@@ -196,6 +197,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
                                   aligned_.outcome};
   coil_.noteIn(request);
   request.goes_on = goes_on;
+  request.field_coil = rememberedFieldCoil().toStdString();
   if (is_live_) request.keepLearnt = cameras_.keeper();
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};

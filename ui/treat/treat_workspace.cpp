@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 #include "treat/camera_row.h"
 #include "treat/cameras_panel.h"
 #include "treat/end_panel.h"
+#include "treat/live_field_view.h"
 #include "treat/live_slices.h"
 #include "treat/override_panel.h"
 #include "treat/pause_panel.h"
@@ -27,17 +27,6 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kPageRefresh_ms = 33;
-constexpr const char* kSlicesShown = "treat/slices_shown";
-constexpr const char* kSlicesInScene = "treat/slices_in_scene";
-
-/// A button that stays pressed, as the settings keep it.
-QPushButton* makeSwitch(const QString& text, const char* setting, bool usual, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName("tool");
-  made->setCheckable(true);
-  made->setChecked(QSettings().value(setting, usual).toBool());
-  return made;
-}
 
 }  // namespace
 
@@ -50,8 +39,11 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
       check_(presenter),
       tip_(presenter),
       projector_(presenter, model),
+      field_(presenter, model),
       screens_(new SecondScreens(projector_, *this)),
       scene_(new SceneView(this)),
+      field_layer_(std::make_unique<scene::FieldLayer>(scene_->scene())),
+      field_view_(new LiveFieldView(field_, this)),
       pause_(new PausePanel(presenter, this)),
       slices_(new LiveSlices(this)),
       pictures_(new CameraRow(this)) {
@@ -62,6 +54,7 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   seen->addWidget(scene_, 5);
   seen->addWidget(slices_, 3);
   middle->addLayout(seen, 3);
+  middle->addWidget(field_view_);
   middle->addWidget(pictures_, 2);
   row->addLayout(middle, 3);
   row->addWidget(makeSide(), 2);
@@ -110,18 +103,14 @@ QWidget* TreatWorkspace::makeSteps() {
   row->setContentsMargins(10, 6, 10, 6);
   makeStepButtons(bar);
   makeChoices(bar);
-  show_slices_ = makeSwitch(tr("Slices"), kSlicesShown, true, bar);
-  show_slices_->setToolTip(tr("the MRI along the coil's axis, along and across its handle (M)"));
-  show_slices_->setShortcut(Qt::Key_M);
-  slices_in_scene_ = makeSwitch(tr("in 3-D"), kSlicesInScene, false, bar);
-  slices_in_scene_->setToolTip(tr("the same two slices in the 3-D scene, under the coil (Shift+M)"));
-  slices_in_scene_->setShortcut(Qt::SHIFT + Qt::Key_M);
+  makeViewSwitches(bar);
   words_ = new ElidedLabel(bar);
   words_->setObjectName("muted");
   for (auto* button : {cameras_, align_, guide_, end_}) row->addWidget(button);
   row->addWidget(words_, 1);
   row->addWidget(show_slices_);
   row->addWidget(slices_in_scene_);
+  row->addWidget(show_field_);
   row->addWidget(coil_);
   row->addWidget(target_);
   connectSteps();
@@ -163,16 +152,7 @@ void TreatWorkspace::makeChoices(QWidget* bar) {
 }
 
 void TreatWorkspace::connectSteps() {
-  connect(show_slices_, &QPushButton::toggled, this, [this](bool are_shown) {
-    QSettings().setValue(kSlicesShown, are_shown);
-    slices_->setVisible(are_shown && side_->currentIndex() == 0);
-    signature_.clear();
-  });
-  connect(slices_in_scene_, &QPushButton::toggled, this, [this](bool are_shown) {
-    QSettings().setValue(kSlicesInScene, are_shown);
-    showSlicesInScene();
-    signature_.clear();
-  });
+  connectField();
   connect(cameras_, &QPushButton::clicked, this, &TreatWorkspace::showStage);
   connect(align_, &QPushButton::clicked, this, [this] { presenter_.align(false); });
   connect(guide_, &QPushButton::clicked, this, [this] {
@@ -188,16 +168,12 @@ void TreatWorkspace::connectSteps() {
           [this] { presenter_.chooseCoil(coil_->currentText()); });
 }
 
-void TreatWorkspace::showSlicesInScene() {
-  const bool are_shown = slices_in_scene_->isChecked() && model_.isOpen();
-  scene_->scene().setCoilSlices(are_shown ? model_.current().mri : nullptr);
-}
-
 /// Step 1 shows the images large with the choice of cameras; the other steps show the scene and the figures.
 void TreatWorkspace::showStage(bool shows_cameras) {
   side_->setCurrentIndex(shows_cameras ? 1 : 0);
   scene_->setVisible(!shows_cameras);
   slices_->setVisible(!shows_cameras && show_slices_->isChecked());
+  field_view_->setVisible(!shows_cameras && field_.isOn());
   previewed_ = -1;
   cameras_->setChecked(shows_cameras);
   signature_.clear();
@@ -276,6 +252,7 @@ void TreatWorkspace::refresh() {
   pause_->refresh();
   check_.follow(*state);
   tip_.follow(*state);
+  field_.follow(*state);
   // The check of a kept rig can finish at any time.
   if (presenter_.isRunning() != shows_running_ || presenter_.canAlign() != align_->isEnabled() ||
       hasMoved() != shows_moved_)
@@ -332,32 +309,10 @@ void TreatWorkspace::followState(const std::shared_ptr<const session::Navigation
   presenter_.isGuiding() ? sounds_.follow(state->guidance) : sounds_.forget();
 }
 
-void TreatWorkspace::drawScene(const session::NavigationState& state, const ReadOut& read_out,
-                               bool was_started) {
-  auto& scene = scene_->scene();
-  if (was_started) {
-    scene.setHeadPose(state.camera_T_mri);
-    scene.setCoilPose(state.camera_T_coil);
-  } else {
-    scene.setLive(false);
-  }
-  scene.setOnTarget(read_out.level == Level::good);
-  const bool is_blank = read_out.level == Level::lost || read_out.level == Level::idle;
-  scene.setBanner(was_started && is_blank ? read_out.instruction.toStdString() : std::string());
-  was_started ? scene_->refreshMoving() : scene_->refresh();
-}
-
-/// Before guidance, shows the pictures of the alignment with the MRI's skin over them.
-void TreatWorkspace::showPictures(const std::shared_ptr<const session::NavigationState>& state,
-                                  bool was_started) {
-  const auto& aligned = presenter_.alignmentPicture();
-  if (was_started || !aligned || !presenter_.showsSkin()) return pictures_->follow(state);
-  pictures_->showStill(aligned);
-}
-
 void TreatWorkspace::showEvent(QShowEvent*) {
   signature_.clear();
   showCase();
+  field_.readChoices();
   timer_.start();
 }
 

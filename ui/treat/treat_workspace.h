@@ -8,6 +8,7 @@
 
 #include "shell/drawing_share.h"
 #include "treat/check_presenter.h"
+#include "treat/live_field_presenter.h"
 #include "treat/motor_presenter.h"
 #include "treat/return_presenter.h"
 #include "treat/session_sounds.h"
@@ -22,6 +23,7 @@ namespace facenav::ui {
 
 class CameraRow;
 class ElidedLabel;
+class LiveFieldView;
 class LiveSlices;
 class PausePanel;
 class SceneView;
@@ -38,6 +40,7 @@ class TreatWorkspace : public QWidget {
   ReturnPresenter& sessionReturn() { return return_; }
   CheckPresenter& check() { return check_; }
   TipPresenter& tip() { return tip_; }
+  LiveFieldPresenter& field() { return field_; }
   ProjectorPresenter& projector() { return projector_; }
   SecondScreens& screens() { return *screens_; }
   void showTool(Tool tool);
@@ -70,6 +73,9 @@ class TreatWorkspace : public QWidget {
   void showStage(bool shows_cameras);
   void showPreview();
   void showSlicesInScene();
+  void makeViewSwitches(QWidget* bar);
+  void connectField();
+  void drawField();
   void showPictures(const std::shared_ptr<const session::NavigationState>& state, bool was_started);
 
   TreatPresenter& presenter_;
@@ -79,22 +85,25 @@ class TreatWorkspace : public QWidget {
   CheckPresenter check_;
   TipPresenter tip_;
   ProjectorPresenter projector_;
+  LiveFieldPresenter field_;
   SecondScreens* screens_;
   SessionSounds sounds_;
   SceneView* scene_;
+  std::unique_ptr<scene::FieldLayer> field_layer_;
+  LiveFieldView* field_view_;
   PausePanel* pause_;
   LiveSlices* slices_;
   CameraRow* pictures_;
   TreatSide* tools_;  // Aim, Motor, Session, Check
   QComboBox *target_, *coil_;
   QStackedWidget* side_;
-  QPushButton *cameras_, *align_, *guide_, *end_, *show_slices_, *slices_in_scene_;
+  QPushButton *cameras_, *align_, *guide_, *end_, *show_slices_, *slices_in_scene_, *show_field_;
   ElidedLabel* words_;
   QTimer timer_;
   bool is_outdated_ = false, shows_running_ = false, shows_aligned_ = false, shows_moved_ = false;
-  std::int64_t previewed_ = -1;
-  QString signature_, words_in_scene_;  // of what is shown; empty: draw anew
-  bool is_scene_behind_ = false;        // the scene does not show the newest state yet
+  std::int64_t previewed_ = -1, drawn_field_ = -1;  // frames; of a field: -1: none is drawn
+  QString signature_, words_in_scene_;              // of what is shown; empty: draw anew
+  bool is_scene_behind_ = false;                    // the scene does not show the newest state yet
   DrawingShare scene_share_;
 };
 

@@ -5,8 +5,8 @@
 
 namespace facenav::report {
 
-const std::array<PulseColumnWords, 12>& pulseColumns() {
-  static const std::array<PulseColumnWords, 12> kColumns{{
+const std::array<PulseColumnWords, 15>& pulseColumns() {
+  static const std::array<PulseColumnWords, 15> kColumns{{
       {PulseColumn::distance, "distance_mm", "error", "mm", 1},
       {PulseColumn::lateral, "lateral_mm", "sideways", "mm", 1},
       {PulseColumn::depth, "depth_mm", "depth", "mm", 1},
@@ -19,6 +19,9 @@ const std::array<PulseColumnWords, 12>& pulseColumns() {
       {PulseColumn::mep, "mep_uv", "MEP", "uV", 0},
       {PulseColumn::latency, "latency_ms", "latency", "ms", 1},
       {PulseColumn::time, "t_s", "time", "s", 1},
+      {PulseColumn::field_per_rate, "e_target_v_per_m_per_a_per_us", "field at 1 A/us", "V/m", 2},
+      {PulseColumn::peak_field, "e_max_v_per_m", "largest field", "V/m", 0},
+      {PulseColumn::peak_field_per_rate, "e_max_v_per_m_per_a_per_us", "largest at 1 A/us", "V/m", 2},
   }};
   return kColumns;
 }
@@ -55,6 +58,13 @@ std::optional<double> valueOf(const casefile::Pulse& pulse, PulseColumn column) 
       return pulse.latency_ms;
     case PulseColumn::time:
       return pulse.t_s;
+    case PulseColumn::field_per_rate:
+      return pulse.field ? pulse.field->at_target : std::nullopt;
+    case PulseColumn::peak_field:
+      if (!pulse.field || !pulse.field->rate_A_per_us) return std::nullopt;
+      return pulse.field->peak * *pulse.field->rate_A_per_us;
+    case PulseColumn::peak_field_per_rate:
+      return pulse.field ? std::optional(pulse.field->peak) : std::nullopt;
   }
   FACENAV_EXPECT(false, "unknown column");
 }

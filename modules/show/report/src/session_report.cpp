@@ -17,6 +17,7 @@
 #include "facenav/report/session_notes.h"
 #include "facenav/report/session_review.h"
 #include "facenav/scene/png.h"
+#include "report_field.h"
 #include "report_html.h"
 #include "report_protocol.h"
 #include "report_targets.h"
@@ -337,7 +338,7 @@ SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile
   const std::string foot =
       paragraphHtml("FaceNav " + softwareVersion() + ". Not a medical device: for research and development.");
   report.body = sessionPart(store, session, summary) + targetsPart(store, session) +
-                stimulationPart(store, session, summary) + protocolPart(store, session) +
+                stimulationPart(store, session, summary) + fieldPart(session) + protocolPart(store, session) +
                 accuracyPart(session, summary);
   report.body += picturesPart(options, report);
   report.body += figuresPart(session, report);

@@ -29,20 +29,53 @@ constexpr int kWords_pt = 12;
 constexpr double kBehindWords = 0.7;
 constexpr palette::Rgb kWhite{1, 1, 1};
 
+/// The coloured part of a surface, with its strengths.
+struct ColouredPart {
+  surface::TriangleMesh mesh;
+  std::vector<float> strength;
+};
+
+/// Takes the triangles whose field is not weaker than the colours begin: a small part, which is quickly drawn
+/// anew while the coil moves.
+ColouredPart colouredPart(const FieldPicture& picture) {
+  const surface::TriangleMesh& whole = *picture.surface;
+  const double least = kLeastShare * picture.peak;
+  ColouredPart part;
+  std::vector<int> number(whole.vertices_mm.size(), -1);
+  for (const Eigen::Vector3i& triangle : whole.triangles) {
+    bool is_coloured = true;
+    for (const int v : triangle) is_coloured &= picture.strength[std::size_t(v)] >= least;
+    if (!is_coloured) continue;
+    Eigen::Vector3i corners;
+    for (int c = 0; c < 3; ++c) {
+      const auto v = std::size_t(triangle[c]);
+      if (number[v] < 0) {
+        number[v] = int(part.mesh.vertices_mm.size());
+        part.mesh.vertices_mm.push_back(whole.vertices_mm[v]);
+        part.mesh.normals.push_back(whole.normals[v]);
+        part.strength.push_back(picture.strength[v]);
+      }
+      corners[c] = number[v];
+    }
+    part.mesh.triangles.push_back(corners);
+  }
+  return part;
+}
+
 /// Lines on the surface where the strength is 50, 75 and 90 % of the maximum.
-vtkSmartPointer<vtkActor> linesActor(const FieldPicture& picture) {
-  surface::TriangleMesh raised = *picture.surface;
+vtkSmartPointer<vtkActor> linesActor(const ColouredPart& part, double peak) {
+  surface::TriangleMesh raised = part.mesh;
   vtkNew<vtkFloatArray> strength;
-  strength->SetNumberOfValues(vtkIdType(picture.strength.size()));
+  strength->SetNumberOfValues(vtkIdType(part.strength.size()));
   for (std::size_t i = 0; i < raised.vertices_mm.size(); ++i) {
     raised.vertices_mm[i] += kLineAbove_mm * raised.normals[i];
-    strength->SetValue(vtkIdType(i), picture.strength[i]);
+    strength->SetValue(vtkIdType(i), part.strength[i]);
   }
   const auto poly = toPolyData(raised);
   poly->GetPointData()->SetScalars(strength);
   vtkNew<vtkContourFilter> contour;
   contour->SetInputData(poly);
-  for (int i = 0; i < 3; ++i) contour->SetValue(i, kLineShares[i] * picture.peak);
+  for (int i = 0; i < 3; ++i) contour->SetValue(i, kLineShares[i] * peak);
   contour->ComputeScalarsOff();
   contour->Update();
   auto actor = makeActor(contour->GetOutput(), kWhite);
@@ -124,11 +157,11 @@ void FieldLayer::set(const FieldPicture* picture, double text_scale) {
   auto& layer = *implementation_;
   layer.clear();
   if (!picture || !picture->surface || picture->surface->vertices_mm.empty()) return;
-  std::vector<float> coloured = picture->strength;
-  for (float& strength : coloured)
-    if (strength < kLeastShare * picture->peak) strength = std::numeric_limits<float>::quiet_NaN();
-  layer.colours.setHeat(*picture->surface, coloured, fieldColours(picture->peak));
-  layer.add(linesActor(*picture));
+  const ColouredPart part = colouredPart(*picture);
+  if (!part.mesh.triangles.empty()) {
+    layer.colours.setHeat(part.mesh, part.strength, fieldColours(picture->peak));
+    layer.add(linesActor(part, picture->peak));
+  }
   layer.addPeak(*picture, text_scale);
 }
 

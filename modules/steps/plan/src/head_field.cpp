@@ -1,13 +1,13 @@
 #include "facenav/plan/head_field.h"
 
-#include <array>
 #include <cmath>
-#include <map>
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/efield/local_sphere.h"
 #include "facenav/efield/primary_field.h"
+#include "facenav/prepare/case_field.h"
+#include "kept_shells.h"
 
 namespace facenav::steps {
 namespace {
@@ -38,65 +38,7 @@ class SphereHead : public HeadField {
   efield::LocalSphere sphere_;
 };
 
-}  // namespace
-
-/// Numbers of places by cube, to find the nearest one.
-class KeptPlaces {
- public:
-  explicit KeptPlaces(const Eigen::Matrix3Xf& places_mm) : places_mm_(places_mm) {
-    for (Eigen::Index i = 0; i < places_mm.cols(); ++i) by_cube_[cubeOf(places_mm.col(i))].push_back(i);
-  }
-  Eigen::Index nearest(const Eigen::Vector3f& p_mm) const {
-    const auto [x, y, z] = cubeOf(p_mm);
-    Nearest best;
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz) {
-          const auto there = by_cube_.find({x + dx, y + dy, z + dz});
-          if (there == by_cube_.end()) continue;
-          for (const Eigen::Index i : there->second) best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
-        }
-    if (best.number >= 0 && best.off_mm2 <= kCube_mm * kCube_mm) return best.number;
-    for (Eigen::Index i = 0; i < places_mm_.cols(); ++i)  // deep in the brain
-      best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
-    return best.number;
-  }
-
- private:
-  static constexpr float kCube_mm = 10.0f;
-  using Cube = std::array<int, 3>;
-  struct Nearest {
-    Eigen::Index number = -1;
-    float off_mm2 = 0;
-    void take(Eigen::Index i, float d_mm2) {
-      if (number < 0 || d_mm2 < off_mm2) number = i, off_mm2 = d_mm2;
-    }
-  };
-  static Cube cubeOf(const Eigen::Vector3f& p_mm) {
-    const Eigen::Vector3f c = (p_mm / kCube_mm).array().floor();
-    return {int(c.x()), int(c.y()), int(c.z())};
-  }
-  Eigen::Matrix3Xf places_mm_;
-  std::map<Cube, std::vector<Eigen::Index>> by_cube_;
-};
-
-/// A kept model of the case with its points.
-struct KeptShells {
-  KeptShells(FieldTier its_tier, efield::CortexField kept)
-      : tier(its_tier),
-        field(std::move(kept)),
-        places(field.points_mm),
-        at_mm(field.points_mm.cast<double>()) {}
-  FieldTier tier;
-  efield::CortexField field;
-  KeptPlaces places;
-  Eigen::Matrix3Xd at_mm;
-};
-
-namespace {
-
-/// Shells give the field at the kept points of the cortex. Elsewhere their difference from the sphere at the
-/// nearest kept point is added to the sphere's field: the difference changes slowly.
+/// Shells give the field at the kept points of the cortex, and KeptShells::elsewhere at others.
 class ShellsHead : public HeadField {
  public:
   ShellsHead(std::shared_ptr<const KeptShells> shells, const efield::LocalSphere& sphere)
@@ -111,18 +53,8 @@ class ShellsHead : public HeadField {
   }
   Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
                       const Eigen::Matrix3Xd& points_mm) const override {
-    const Eigen::Matrix3Xf shells = efield::fieldAt(shells_->field, coil, mri_T_coil);
-    std::vector<Eigen::Index> nearest(std::size_t(points_mm.cols()));
-    Eigen::Matrix3Xd kept_mm(3, points_mm.cols());
-    for (Eigen::Index i = 0; i < points_mm.cols(); ++i) {
-      nearest[std::size_t(i)] = shells_->places.nearest(points_mm.col(i).cast<float>());
-      kept_mm.col(i) = shells_->at_mm.col(nearest[std::size_t(i)]);
-    }
-    Eigen::Matrix3Xd field = efield::sphereField(coil, mri_T_coil, centre_mm_, points_mm) -
-                             efield::sphereField(coil, mri_T_coil, centre_mm_, kept_mm);
-    for (Eigen::Index i = 0; i < field.cols(); ++i)
-      field.col(i) += shells.col(nearest[std::size_t(i)]).cast<double>();
-    return field;
+    return shells_->elsewhere(efield::fieldAt(shells_->field, coil, mri_T_coil), coil, mri_T_coil, centre_mm_,
+                              points_mm);
   }
 
  private:

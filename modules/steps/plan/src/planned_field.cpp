@@ -41,6 +41,8 @@ PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskM
   result.peak = result.rate_A_per_us * on_cortex.peak;
   result.peak_distance_mm = on_cortex.peak_distance_mm;
   result.peak_place = on_cortex.peak_place;
+  if (wanted.threshold)
+    result.dose = thresholdDose(head, coil, *wanted.threshold, on_cortex.at_target.norm());
   monitor.report("electric field", 0.6);
   if (!wanted.drawn) return result;
   const Eigen::VectorXd strength =

@@ -28,11 +28,11 @@ std::string modelOf(const casefile::CaseStore& store, FieldTier tier) {
   return model;
 }
 
-std::vector<std::size_t> onePerCube(const surface::DetailedCortex& cortex, double cube_mm) {
+std::vector<std::size_t> onePerCube(const surface::TriangleMesh& cortex, double cube_mm) {
   std::set<std::tuple<int, int, int>> taken;
   std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < cortex.mesh.vertices_mm.size(); ++i) {
-    const Eigen::Vector3d cube = (cortex.mesh.vertices_mm[i] / cube_mm).array().floor();
+  for (std::size_t i = 0; i < cortex.vertices_mm.size(); ++i) {
+    const Eigen::Vector3d cube = (cortex.vertices_mm[i] / cube_mm).array().floor();
     if (taken.emplace(int(cube.x()), int(cube.y()), int(cube.z())).second) chosen.push_back(i);
   }
   return chosen;
@@ -53,7 +53,7 @@ bool canHaveField(const casefile::CaseStore& store) {
   return true;
 }
 
-std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex) {
+std::vector<std::size_t> fieldVertices(const surface::TriangleMesh& cortex) {
   for (double cube_mm = kFinestCube_mm;; cube_mm *= kCubeStep) {
     std::vector<std::size_t> chosen = onePerCube(cortex, cube_mm);
     if (chosen.size() <= kPoints) return chosen;
@@ -74,7 +74,7 @@ efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& mo
   monitor.report("electric field: surfaces", 0.3);
   if (tier == FieldTier::four_shells)
     head.brain = efield::brainSurface(cortex->mesh, head.inner_skull, {mesh.most_brain_vertices});
-  const std::vector<std::size_t> vertices = fieldVertices(*cortex);
+  const std::vector<std::size_t> vertices = fieldVertices(cortex->mesh);
   Eigen::Matrix3Xd points_mm(3, Eigen::Index(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i)
     points_mm.col(Eigen::Index(i)) = cortex->mesh.vertices_mm[vertices[i]];

@@ -15,13 +15,14 @@ casefile::ThresholdFile fileFor(const ThresholdRequest& request) {
     const auto all = casefile::readThresholds(request.case_folder);
     if (!all.empty()) {
       const auto& last = all.back();
-      const bool is_same =
-          last.method == request.method && (request.muscle.empty() || last.muscle == request.muscle);
+      const bool is_same = last.method == request.method &&
+                           (request.muscle.empty() || last.muscle == request.muscle) &&
+                           !(request.target && last.target && request.target->name != last.target->name);
       if (is_same && !thresholdAfter(last.method, last.plain()).isDone())
         return casefile::ThresholdFile::open(last.path);
     }
   }
-  return casefile::ThresholdFile::begin(request.case_folder, request.method, request.muscle);
+  return casefile::ThresholdFile::begin(request.case_folder, request.method, request.muscle, request.target);
 }
 
 }  // namespace

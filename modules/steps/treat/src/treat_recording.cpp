@@ -12,6 +12,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/software_version.h"
+#include "facenav/efield/coil_file.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/plan/expert_pose.h"
 #include "facenav/prepare/sign_off_gate.h"
@@ -54,6 +55,7 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   if (request.override)
     casefile::recordOverride(store, request.override->by, request.override->reason, softwareVersion());
   requireSignOff(store, request.override.has_value());
+  efield::fieldCoil(request.field_coil);  // refuses a missing file before anything starts
   auto film = filmOf(request);
   std::filesystem::path goes_on;
   if (request.goes_on) {  // uses that session's alignment, not the current face
@@ -76,6 +78,7 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   treatment.override = request.override;
   treatment.focus_caution = focus;
   treatment.goes_on = goes_on;
+  treatment.field_coil = request.field_coil;
   treatment.speed = request.speed;
   return treatment;
 }

@@ -61,6 +61,11 @@ void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const
     log.addEvent(report::session_events::kAlignmentCaution, caution);
 }
 
+/// True for a case with a brain; without one there is no field.
+bool hasBrain(const casefile::CaseStore& store) {
+  return std::filesystem::exists(store.folder() / "brain.vtp");
+}
+
 }  // namespace
 
 TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder) {
@@ -131,10 +136,13 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   session_ =
       std::make_shared<session::Session>(std::move(prepared.source), std::move(prepared.navigator), options);
   const auto& goes_on = prepared.request.goes_on;
-  log_ = std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp,
-                                                 session::TreatmentLogOptions{rig_, goes_on});
+  log_ =
+      std::make_unique<session::TreatmentLog>(session_, case_folder_, alignment_->scalp, logOptions(goes_on));
   if (!goes_on.empty() || prepared.request.is_checked_first) session_->checkRegistration(true);
   session_folder_ = log_->folder();
+  if (hasBrain(prepared.request.store))
+    fields_ = std::make_unique<PulseFieldKeeper>(prepared.request.store, session_folder_,
+                                                 prepared.request.field_coil);
   logStart(*log_, prepared.request, target ? &target->target : nullptr);
   protocol_ = protocolFor(case_folder_, *log_);
   plan(target ? &target->target : nullptr);
@@ -142,6 +150,14 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   noteOtherCoil();
   keyboard_.start(listenerFor(keyboard_.name()));
   session_->start();
+}
+
+session::TreatmentLogOptions Treatment::logOptions(const std::filesystem::path& goes_on) {
+  session::TreatmentLogOptions options{rig_, goes_on};
+  options.placed = [this](const casefile::Pulse& pulse) {  // only once fields_ is there, if it ever is
+    if (fields_) fields_->add(pulse);
+  };
+  return options;
 }
 
 links::PulseListener Treatment::listenerFor(const std::string& source) {
@@ -278,6 +294,7 @@ void Treatment::end(const std::string& why) {
   }
   keepKeyFrames(*session_, case_folder_);
   log_.reset();  // before the session, which its thread reads
+  fields_.reset();
   session_.reset();
 }
 

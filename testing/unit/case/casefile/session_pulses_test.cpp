@@ -108,7 +108,9 @@ TEST_F(SessionPulsesTest, CsvHasTheColumnsOfTheContractAndEmptyMeansNotKnown) {
   EXPECT_EQ(content.substr(0, content.find('\n')),
             "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
             "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-            "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause");
+            "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause,"
+            "e_target_v_per_m_per_a_per_us,e_max_v_per_m,e_max_v_per_m_per_a_per_us,e_max_x_mm,e_max_y_mm,"
+            "e_max_z_mm,field_tier,field_coil");
   const CsvTable table(path);
   ASSERT_EQ(table.rows(), 3u);
   const auto text = [&](std::size_t row, const char* column) {

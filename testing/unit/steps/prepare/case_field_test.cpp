@@ -24,7 +24,7 @@ TEST(CaseField, IsKeptUntilTheBrainChanges) {
   EXPECT_FALSE(keptField(store));
   TaskMonitor monitor;
   const efield::CortexField built = buildField(store, monitor);
-  EXPECT_EQ(std::size_t(built.points_mm.cols()), fieldVertices(*store.cortex()).size());
+  EXPECT_EQ(std::size_t(built.points_mm.cols()), fieldVertices(store.cortex()->mesh).size());
   EXPECT_LT(std::filesystem::file_size(fieldFile(store)), 60e6);
   const auto kept = keptField(store);
   ASSERT_TRUE(kept);

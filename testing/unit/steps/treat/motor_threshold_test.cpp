@@ -48,7 +48,7 @@ TEST(MotorThreshold, AnotherOneBeginsAfterItsEndOrWhenAskedFor) {
   }
   EXPECT_FALSE(MotorThreshold({folder.path()}).isResumed());
   { MotorThreshold({folder.path()}).answer(50, true); }
-  EXPECT_FALSE(MotorThreshold({folder.path(), ThresholdMethod::bayes, "", true}).isResumed());
+  EXPECT_FALSE(MotorThreshold({folder.path(), ThresholdMethod::bayes, "", {}, true}).isResumed());
 }
 
 TEST(MotorThreshold, AWrongAnswerIsTakenBackAndTheFileKeepsBoth) {

@@ -35,21 +35,6 @@ Point<Mri> pointFrom(const JsonReader& json) {
   return {mm[0], mm[1], mm[2]};
 }
 
-Json targetOf(const guidance::Target& target) {
-  return {{"name", target.name},
-          {"mri_T_target", matrixOf(target.mri_T_target)},
-          {"cortex_point_mm", pointOf(target.cortex_point)},
-          {"scalp_point_mm", pointOf(target.scalp_point)}};
-}
-
-guidance::Target targetFrom(const JsonReader& json) {
-  return {json.at("name").text(),
-          transformFrom<Mri, frames::Target>(json.at("mri_T_target")),
-          pointFrom(json.at("cortex_point_mm")),
-          pointFrom(json.at("scalp_point_mm")),
-          {}};
-}
-
 /// Visits the optional numbers of a pulse with their names in the file, for writing and reading.
 template <class PulseType, class Visitor>
 void visitNumbers(PulseType& pulse, Visitor&& visit) {
@@ -77,6 +62,21 @@ PulseOffset offsetFrom(const JsonReader& line) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json targetJson(const guidance::Target& target) {
+  return {{"name", target.name},
+          {"mri_T_target", matrixOf(target.mri_T_target)},
+          {"cortex_point_mm", pointOf(target.cortex_point)},
+          {"scalp_point_mm", pointOf(target.scalp_point)}};
+}
+
+guidance::Target targetFrom(const JsonReader& json) {
+  return {json.at("name").text(),
+          transformFrom<Mri, frames::Target>(json.at("mri_T_target")),
+          pointFrom(json.at("cortex_point_mm")),
+          pointFrom(json.at("scalp_point_mm")),
+          {}};
+}
 
 std::string toString(PulseStatus status) {
   switch (status) {
@@ -112,7 +112,7 @@ std::string toJsonLine(const Pulse& pulse) {
   json["reason"] = pulse.reason;
   if (pulse.is_in_pause) json["in_pause"] = 1;
   if (!pulse.coil.empty()) json["coil"] = pulse.coil;
-  if (pulse.target) json["target"] = targetOf(*pulse.target);
+  if (pulse.target) json["target"] = targetJson(*pulse.target);
   if (pulse.camera_T_mri) json["camera_T_mri"] = matrixOf(*pulse.camera_T_mri);
   if (pulse.camera_T_coil) json["camera_T_coil"] = matrixOf(*pulse.camera_T_coil);
   if (pulse.frames) {

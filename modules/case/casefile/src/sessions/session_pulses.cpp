@@ -4,6 +4,7 @@
 #include <set>
 
 #include "appended_file.h"
+#include "facenav/casefile/pulse_field_file.h"
 #include "facenav/core/csv_table.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
@@ -143,6 +144,28 @@ std::string poseFields(const Pulse& pulse) {
   return fields;
 }
 
+/// Fills in the computed fields; a value that a pulse's source sent stays.
+void addFields(const fs::path& folder, SessionPulses& session) {
+  for (auto& [number, field] : readPulseFields(folder)) {
+    ReviewedPulse* reviewed = pulseNumbered(session, number);
+    if (!reviewed) continue;
+    Pulse& pulse = reviewed->pulse;
+    if (!pulse.e_target_v_per_m && field.at_target && field.rate_A_per_us)
+      pulse.e_target_v_per_m = *field.at_target * *field.rate_A_per_us;
+    pulse.field = std::move(field);
+  }
+}
+
+std::string fieldFields(const std::optional<PulseField>& known) {
+  if (!known) return ",,,,,,,,";
+  const PulseField& computed = *known;
+  std::optional<double> at_rate;
+  if (computed.rate_A_per_us) at_rate = computed.peak * *computed.rate_A_per_us;
+  std::string fields = field(computed.at_target, 4) + field(at_rate, 2) + "," + fixed(computed.peak, 4);
+  for (const double value_mm : computed.peak_place.mm) fields += "," + fixed(value_mm, 1);
+  return fields + "," + std::to_string(computed.tier) + "," + csvField(computed.coil);
+}
+
 std::string csvLine(const ReviewedPulse& reviewed) {
   const Pulse& pulse = reviewed.pulse;
   std::string line = std::to_string(pulse.number) + field(pulse.t_s, 6) + "," + pulse.utc + "," +
@@ -160,7 +183,7 @@ std::string csvLine(const ReviewedPulse& reviewed) {
   if (pulse.gap_mm) lost_pct = guidance::fieldLost_pct(*pulse.gap_mm);
   return line + (reviewed.is_excluded ? ",1," : ",0,") + csvField(reviewed.note) + "," +
          csvField(pulse.coil) + field(pulse.gap_stereo_mm, 2) + field(lost_pct, 1) +
-         field(pulse.error_bound_mm, 4) + (pulse.is_in_pause ? ",1" : ",0") + "\n";
+         field(pulse.error_bound_mm, 4) + (pulse.is_in_pause ? ",1" : ",0") + fieldFields(pulse.field) + "\n";
 }
 
 }  // namespace
@@ -169,6 +192,7 @@ SessionPulses readSessionPulses(const fs::path& session_folder) {
   SessionPulses session =
       fs::exists(session_folder / kPulses) ? readKept(session_folder) : readOld(session_folder);
   applyEdits(session_folder, session);
+  addFields(session_folder, session);
   return session;
 }
 
@@ -218,7 +242,10 @@ std::string pulsesCsv(const std::vector<ReviewedPulse>& pulses) {
   std::string csv =
       "pulse,t_s,utc,source,target,status,reason,tx,ty,tz,qw,qx,qy,qz,distance_mm,lateral_mm,depth_mm,"
       "tilt_deg,twist_deg,gap_mm,predicted_error_mm,intensity_pct,e_target_v_per_m,mep_uv,latency_ms,"
-      "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause\n";
+      "excluded,note,coil,gap_stereo_mm,field_lost_pct,error_bound_mm,in_pause,"
+      "e_target_v_per_m_per_a_per_us,e_max_v_per_m,e_max_v_per_m_per_a_per_us,e_max_x_mm,e_max_y_mm,e_max_z_"
+      "mm,"
+      "field_tier,field_coil\n";
   for (const ReviewedPulse& reviewed : pulses) csv += csvLine(reviewed);
   return csv;
 }

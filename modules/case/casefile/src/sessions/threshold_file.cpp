@@ -9,6 +9,7 @@
 #include "facenav/core/utc_time.h"
 #include "facenav/core/whole_folder.h"
 #include "json_lines.h"
+#include "pulse_json.h"
 #include "utc_now.h"
 
 namespace facenav::casefile {
@@ -23,8 +24,11 @@ std::string lineOf(const Json& json) {
 
 std::string now() { return isoUtc(std::chrono::system_clock::now()); }
 
-std::string headLine(stimulation::ThresholdMethod method, const std::string& muscle) {
-  return lineOf({{"threshold", 1}, {"started_utc", now()}, {"method", toString(method)}, {"muscle", muscle}});
+std::string headLine(stimulation::ThresholdMethod method, const std::string& muscle,
+                     const std::optional<guidance::Target>& target) {
+  Json json{{"threshold", 1}, {"started_utc", now()}, {"method", toString(method)}, {"muscle", muscle}};
+  if (target) json["target"] = targetJson(*target);
+  return lineOf(json);
 }
 
 std::string answerLine(const KeptAnswer& kept) {
@@ -75,6 +79,7 @@ KeptThreshold readThreshold(const fs::path& path) {
   kept.started_utc = head.at("started_utc").text();
   kept.method = stimulation::thresholdMethodFrom(head.at("method").text());
   kept.muscle = head.at("muscle").text();
+  if (head.has("target")) kept.target = targetFrom(head.at("target"));
   for (std::size_t i = 1; i < lines.lines.size(); ++i) {
     try {
       applyLine(lines.lines[i], kept);
@@ -123,14 +128,14 @@ ThresholdFile::ThresholdFile(ThresholdFile&&) noexcept = default;
 ThresholdFile& ThresholdFile::operator=(ThresholdFile&&) noexcept = default;
 
 ThresholdFile ThresholdFile::begin(const fs::path& case_folder, stimulation::ThresholdMethod method,
-                                   const std::string& muscle) {
+                                   const std::string& muscle, const std::optional<guidance::Target>& target) {
   if (!fs::is_directory(case_folder))
     throw Error("folder does not exist", case_folder.string(), "open a case first");
   const fs::path folder = case_folder / "thresholds";
   if (!fs::exists(folder)) makePrivateFolder(folder);
   const fs::path path = freePath(folder);
   {
-    AppendedFile file(path, headLine(method, muscle));
+    AppendedFile file(path, headLine(method, muscle, target));
     file.sync();
   }
   makeNamesDurable(folder);

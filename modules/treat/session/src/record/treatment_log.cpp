@@ -50,8 +50,9 @@ struct TreatmentLog::Implementation {
         evidence(options.evidence_rig ? std::make_unique<EvidenceKeeper>(folder, *options.evidence_rig)
                                       : nullptr),
         pulses(folder, std::move(scalp), so_far.has_value(),
-               [this](const casefile::Pulse& pulse) {
+               [this, tell = options.placed](const casefile::Pulse& pulse) {
                  if (evidence) evidence->add(pulse);
+                 if (tell) tell(pulse);
                }),
         pauses(so_far && so_far->is_paused),
         answers(so_far ? so_far->last_pulse : 0),

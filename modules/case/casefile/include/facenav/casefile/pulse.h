@@ -25,6 +25,17 @@ struct PulseOffset {
   double distance_mm = 0, lateral_mm = 0, depth_mm = 0, tilt_deg = 0, twist_deg = 0;
 };
 
+/// Electric field that a pulse's pose gives on the cortex, by a model of the head (pulse_field_file.h). |E|
+/// in V/m at a rate of the current of 1 A/us.
+struct PulseField {
+  std::string coil;                     // whose field: figure8-70, or the name of a coil's file
+  int tier = 0;                         // model of the head (resources/doc/field.md)
+  std::optional<double> at_target;      // nothing: the pulse had no target
+  double peak = 0;                      // maximum on the cortex
+  Point<Mri> peak_place;                // where it is
+  std::optional<double> rate_A_per_us;  // of the pulse; nothing: not known
+};
+
 /// One pulse. Absent values are unknown.
 struct Pulse {
   int number = 0;             // from 1, in the order of arrival
@@ -46,7 +57,8 @@ struct Pulse {
   /// Bound of the alignment's error at the target that 95 of 100 alignments keep. predicted_error_mm is its
   /// standard error.
   std::optional<double> error_bound_mm;
-  bool is_in_pause = false;  // given while the session was paused
+  bool is_in_pause = false;         // given while the session was paused
+  std::optional<PulseField> field;  // computed from the pose; not part of the pulse's own line
 
   /// Pose of the coil in the MRI; absent unless both poses are known.
   std::optional<RigidTransform<Mri, Coil>> mri_T_coil() const;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/guidance/target.h"
 #include "facenav/stimulation/threshold.h"
 
 namespace facenav::casefile {
@@ -24,9 +25,10 @@ struct KeptThreshold {
   std::filesystem::path path;
   std::string started_utc;  // 2026-11-23T14:05:09.123Z
   stimulation::ThresholdMethod method = stimulation::ThresholdMethod::bayes;
-  std::string muscle;                 // as typed; empty: not given
-  std::vector<KeptAnswer> answers;    // without those taken back
-  std::vector<std::string> problems;  // descriptions of damaged lines, which are left out
+  std::string muscle;                      // as typed; empty: not given
+  std::optional<guidance::Target> target;  // where the coil was held: name, pose and places; nothing: unknown
+  std::vector<KeptAnswer> answers;         // without those taken back
+  std::vector<std::string> problems;       // descriptions of damaged lines, which are left out
 
   std::vector<stimulation::ThresholdAnswer> plain() const;
 };
@@ -40,7 +42,7 @@ class ThresholdFile {
  public:
   /// Makes a new file, 0600. Throws Error.
   static ThresholdFile begin(const std::filesystem::path& case_folder, stimulation::ThresholdMethod method,
-                             const std::string& muscle);
+                             const std::string& muscle, const std::optional<guidance::Target>& target = {});
   /// Opens a search to continue it. Throws Error as readThreshold does.
   static ThresholdFile open(const std::filesystem::path& path);
   ~ThresholdFile();

@@ -23,6 +23,9 @@ enum class PulseColumn {
   mep,
   latency,
   time,
+  field_per_rate,
+  peak_field,
+  peak_field_per_rate,
 };
 
 struct PulseColumnWords {
@@ -34,7 +37,7 @@ struct PulseColumnWords {
 };
 
 /// Words of all columns, in the order of the enumeration.
-const std::array<PulseColumnWords, 12>& pulseColumns();
+const std::array<PulseColumnWords, 15>& pulseColumns();
 const PulseColumnWords& wordsOf(PulseColumn column);
 /// Value of a column; nothing if unknown. Twist and depth keep their sign.
 std::optional<double> valueOf(const casefile::Pulse& pulse, PulseColumn column);

@@ -63,6 +63,8 @@ class ReadHead {
   bool isCurrent(const casefile::CaseStore& store) const;
   /// The model that headField chooses for a pose.
   std::unique_ptr<HeadField> near(const CoilPose& pose) const;
+  /// The kept model of the three shells; null: the case has none (pose_fields.h uses it).
+  const std::shared_ptr<const KeptShells>& shells() const { return shells_; }
 
  private:
   FieldSurfaces surfaces_;

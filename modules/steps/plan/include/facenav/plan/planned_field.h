@@ -7,6 +7,7 @@
 #include "facenav/plan/best_pose.h"
 #include "facenav/plan/cortex_field.h"
 #include "facenav/plan/field_region.h"
+#include "facenav/plan/threshold_dose.h"
 
 namespace facenav::steps {
 
@@ -26,6 +27,7 @@ struct WantedField {
   CurrentRate rate = {};
   std::shared_ptr<const surface::TriangleMesh> drawn = {};  ///< null: nothing is drawn
   std::optional<guidance::Target> against = {};             ///< target whose pose is compared
+  std::optional<HotspotThreshold> threshold = {};
 };
 
 /// Fields in V/m at the rate.
@@ -36,7 +38,8 @@ struct PlannedField {
   double at_target = 0, along_normal = 0;  ///< both > 0
   double peak = 0, peak_distance_mm = 0;
   Point<Mri> peak_place;
-  std::vector<float> strength = {};  ///< at the vertices of the drawn surface
+  std::optional<ThresholdDose> dose = {};  ///< if the threshold is given
+  std::vector<float> strength = {};        ///< at the vertices of the drawn surface
 };
 /// Throws Error as efield::fieldCoil and inA_per_us do; Cancelled.
 PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskMonitor& monitor);

@@ -29,7 +29,7 @@ std::filesystem::path fieldFile(const casefile::CaseStore& store, FieldTier tier
 
 /// Numbers of the cortex' vertices at which the field is given, about 20,000, evenly spread: the first vertex
 /// in each cube of a grid. The order is that of CortexField::points_mm.
-std::vector<std::size_t> fieldVertices(const surface::DetailedCortex& cortex);
+std::vector<std::size_t> fieldVertices(const surface::TriangleMesh& cortex);
 
 /// True if the case has what the models are built from: MRI, masks, skin and cortex.
 bool canHaveField(const casefile::CaseStore& store);

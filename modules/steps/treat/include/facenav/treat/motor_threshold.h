@@ -15,13 +15,14 @@ struct ThresholdRequest {
   std::filesystem::path case_folder;
   stimulation::ThresholdMethod method = stimulation::ThresholdMethod::bayes;
   std::string muscle = {};
-  bool is_new = false;  // leaves an unfinished search unchanged and begins another
+  std::optional<guidance::Target> target = {};  // where the coil is held; recorded with the search
+  bool is_new = false;                          // leaves an unfinished search unchanged and begins another
 };
 
 class MotorThreshold {
  public:
   /// Continues the case's newest search if it is unfinished and of this method and muscle (an empty muscle
-  /// fits any); else begins one. Throws Error.
+  /// fits any), and not of another target; else begins one. Throws Error.
   explicit MotorThreshold(const ThresholdRequest& request);
 
   const stimulation::ThresholdState& state() const { return state_; }

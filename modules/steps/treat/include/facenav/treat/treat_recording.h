@@ -33,8 +33,9 @@ struct TreatRecordingRequest {
   std::optional<SignOffOverride> override;
   bool goes_on = false;      // continues an earlier session of the case, on the case's own alignment
   std::string session = {};  // its name; empty: the newest
-  double speed = 1.0;        // relative to real time
-  int passes = 1;            // through the recording, alternately forwards and backwards; 0: endless
+  std::string field_coil = kUsualFieldCoil;  // TreatmentRequest::field_coil
+  double speed = 1.0;                        // relative to real time
+  int passes = 1;  // through the recording, alternately forwards and backwards; 0: endless
   /// Called every few milliseconds while the session runs; return false to end it. May be empty.
   std::function<bool(Treatment&)> look = {};
   /// Makes the tracker of the coil; null: the one named coil_tracker.

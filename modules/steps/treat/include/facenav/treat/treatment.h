@@ -20,6 +20,7 @@
 #include "facenav/session/treatment_log.h"
 #include "facenav/setup/cameras_learnt.h"
 #include "facenav/treat/live_outputs.h"
+#include "facenav/treat/pulse_fields.h"
 
 namespace facenav::steps {
 
@@ -54,6 +55,8 @@ struct TreatmentRequest {
   std::optional<std::string> focus_caution = {};  // coil_library.h; logged
   /// True if the alignment is an earlier one: guidance is withheld until it is checked.
   bool is_checked_first = false;
+  /// Coil whose electric field is kept with each pulse, as efield::fieldCoil takes it.
+  std::string field_coil = kUsualFieldCoil;
   /// Called at the end with results to store with the rig; may be null. Runs on the thread of end().
   std::function<void(const CamerasLearnt&)> keepLearnt = nullptr;
 };
@@ -160,6 +163,7 @@ class Treatment {
   void keepReport() const;
 
  private:
+  session::TreatmentLogOptions logOptions(const std::filesystem::path& goes_on);
   links::PulseListener listenerFor(const std::string& source);
   void plan(const guidance::Target* target);
   void noteOtherCoil();
@@ -171,6 +175,7 @@ class Treatment {
   std::function<void(const CamerasLearnt&)> keepLearnt_;
   std::shared_ptr<const AlignmentOutcome> alignment_;
   std::shared_ptr<session::Session> session_;
+  std::unique_ptr<PulseFieldKeeper> fields_;  // outlives the log, which tells it the pulses
   std::unique_ptr<session::TreatmentLog> log_;
   std::atomic<double> intensity_pct_{-1};  // < 0: unknown; read by the sources' threads
   std::shared_ptr<LiveOutputs> outputs_;   // null: none; read by the sources' threads, atomically

@@ -24,6 +24,8 @@ struct TreatmentLogOptions {
   /// Folder of an earlier session of the case to continue; empty: a new one. Pulse numbers, frames and times
   /// continue those of its files.
   std::filesystem::path goes_on = {};
+  /// Called for each pulse that has its pose, as PulseKeeper::Placed; may be empty.
+  PulseKeeper::Placed placed = {};
   /// Clock for the time of day; a test replaces it.
   std::function<std::chrono::system_clock::time_point()> clock = [] {
     return std::chrono::system_clock::now();
