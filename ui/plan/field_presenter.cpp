@@ -342,7 +342,8 @@ QString FieldPresenter::words() const {
              .arg(model)
              .arg(std::lround(100 * shown_->usual_error)) +
          modelWords() +
-         (fluid_.failure().isEmpty() ? QString() : tr("; no model with the fluid: %1").arg(fluid_.failure())) +
+         (fluid_.failure().isEmpty() ? QString()
+                                     : tr("; no model with the fluid: %1").arg(fluid_.failure())) +
          dose;
 }
 
