@@ -179,8 +179,9 @@ TEST_F(CommandLine, CheckExportAndWorklistOfWhatIsNotThere) {
 
 TEST_F(CommandLine, BrainOfWhatIsNotThereOrIsNoPlace) {
   expectRefused(runFacenav("brain " + at("none").string()), "none");
-  for (const char* words : {"1,2,3", "1,2,3,x", "1,2,3,0", "1,2,3,4,5", "''"})
+  for (const char* words : {"1,2,3", "1,2,3,x", "1,2,3,0", "1,2,3,4,5"})
     expectWrongUsage("brain " + at("none").string() + " --add-sphere " + words, "RADIUS");
+  expectWrongUsage("brain " + at("none").string() + " --add-sphere ''", "the text is empty");
   expectWrongUsage("brain " + at("none").string() + " --grow 1,2", "R,A,S");
 }
 

@@ -165,7 +165,7 @@ void FieldPresenter::followChoice() {
 }
 
 void FieldPresenter::setInSight(bool is_in_sight) {
-  if (std::exchange(is_in_sight_, is_in_sight) != is_in_sight) readThreshold();
+  if (!std::exchange(is_in_sight_, is_in_sight) && is_in_sight) readThreshold();
   follow();
 }
 

@@ -140,10 +140,10 @@ void TreatWorkspace::makeStepButtons(QWidget* bar) {
 void TreatWorkspace::makeChoices(QWidget* bar) {
   target_ = new QComboBox(bar);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  target_->setMinimumContentsLength(12);
+  target_->setMinimumContentsLength(9);
   coil_ = new QComboBox(bar);
   coil_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  coil_->setMinimumContentsLength(15);
+  coil_->setMinimumContentsLength(10);
   coil_->setAccessibleName(tr("coil"));
   for (auto* choice : {coil_, target_}) markUsersWords(*choice);
   whenTextScales(this, [this] {
