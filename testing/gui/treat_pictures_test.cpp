@@ -114,6 +114,7 @@ TEST_F(TreatPictures, OfTheLiveField) {
     treat->field().setOn(is_on);
     window.play(recording_, true);
     ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }, 240000));
+    window.setWorkspace(Workspace::treat);  // a case that is opened shows its own step
     fixtures::waitFor([&] { return window.treat().state()->frame > 30; }, 10000);
     if (is_on) ASSERT_TRUE(fixtures::waitFor([&] { return treat->field().picture().has_value(); }, 60000));
     const auto first = window.treat().state();
