@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "commands/home.h"
 #include "facenav/casefile/case_store.h"
+#include "facenav/core/error.h"
 #include "facenav/core/standard_output.h"
 #include "facenav/plan/export_other.h"
 #include "typed_values.h"
@@ -69,6 +70,16 @@ void exportOther(const Context& context, const casefile::CaseStore& store, const
   std::printf("\n");
 }
 
+void requireFormat(const Context& context, const std::string& format) {
+  if (format == kHome || isOther(format)) return;
+  try {
+    context.registrations.exporters.create(format);
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + "; for another program: " + interop::namesOfWritten() +
+                "; or home");
+  }
+}
+
 void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) {
   verb.add_option("CASE", request.case_folder, "case folder")->required();
   verb.add_option(
@@ -78,9 +89,7 @@ void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) 
               "; or home: one file without MRI and name, with the face and the expert's pose, for use "
               "near home ('facenav import', 'facenav-gui --home')")
       ->required()
-      ->check(understoodBy([&context](const std::string& format) {
-        if (format != kHome && !isOther(format)) context.registrations.exporters.create(format);
-      }));
+      ->check(understoodBy([&context](const std::string& format) { requireFormat(context, format); }));
   verb.add_option(
       "-o,--output", request.output,
       "folder to write surfaces into; else the file (for another program by default here, under its usual "

@@ -87,6 +87,12 @@ QString strengthFigure(double strength) {
   return QString::number(strength, 'f', strength >= 10 ? 0 : strength >= 1 ? 1 : 2);
 }
 
+QString modelWords(steps::FieldTier tier) {
+  const QString models[] = {FieldPresenter::tr("a local sphere"), FieldPresenter::tr("three shells"),
+                            FieldPresenter::tr("four shells with the fluid")};
+  return models[int(tier)];
+}
+
 QString differenceWords(const steps::PoseComparison& compared) {
   const long change_pct = std::lround(100 * compared.change());
   return FieldPresenter::tr("%1 % at the target, maximum %2 mm away, correlation %3")
@@ -313,7 +319,7 @@ QString FieldPresenter::againstWords() const {
 }
 
 /// Says that the case's shells are older than its masks, and what is done about it.
-QString FieldPresenter::modelWords() const {
+QString FieldPresenter::oldModelWords() const {
   if (!head_ || !head_->isOutdated()) return {};
   if (!build_failure_.isEmpty())
     return tr("; the three shells are older than the masks and could not be built again: %1")
@@ -327,8 +333,6 @@ QString FieldPresenter::words() const {
   if (!plan_.active()) return tr("no target chosen, so there is no field");
   if (!failure_.isEmpty()) return failure_;
   if (!shown_) return tr("computing the electric field \u2026");
-  const QString models[] = {tr("a local sphere"), tr("three shells"), tr("four shells with the fluid")};
-  const QString& model = models[int(shown_->tier)];
   const QString strengths =
       tr("E at target %1 V/m, along the normal %2; maximum %3 V/m, %4 mm from the target")
           .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
@@ -339,9 +343,9 @@ QString FieldPresenter::words() const {
          tr("; at %1 A/us; tier %2: %3, usual error %4 %")
              .arg(shown_->rate_A_per_us, 0, 'g', 4)
              .arg(int(shown_->tier))
-             .arg(model)
+             .arg(modelWords(shown_->tier))
              .arg(std::lround(100 * shown_->usual_error)) +
-         modelWords() +
+         oldModelWords() +
          (fluid_.failure().isEmpty() ? QString()
                                      : tr("; no model with the fluid: %1").arg(fluid_.failure())) +
          dose;

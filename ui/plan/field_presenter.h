@@ -83,7 +83,7 @@ class FieldPresenter : public QObject {
   void computeReach();
   void fail(const QString& words);
   void takeModel(const QString& folder, const QString& failure);
-  QString modelWords() const;
+  QString oldModelWords() const;
   void takeNewModel();
   void keep(std::shared_ptr<const steps::ReadHead> head, int subject);
 
@@ -122,6 +122,8 @@ steps::CurrentRate rememberedFieldRate();
 /// %"; with a caution if that is more than 100 %.
 QString doseWords(const steps::ThresholdDose& dose);
 
+/// The model of the head in words: "three shells".
+QString modelWords(steps::FieldTier tier);
 /// Strength with two digits or more: "45", "4.5", "0.45".
 QString strengthFigure(double strength);
 

@@ -156,12 +156,10 @@ QString LiveFieldPresenter::words() const {
     words += tr(", %1 mm from the target")
                  .arg(std::lround((shown_->peak_place.mm - shown_->target->cortex_point.mm).norm()));
   const QString gap = gap_mm_ ? tr("measured gap %1 mm; ").arg(*gap_mm_, 0, 'f', 1) : QString();
-  const QString model =
-      shown_->tier == steps::FieldTier::local_sphere ? tr("a local sphere") : tr("three shells");
   return words + "\n" + rateWords() + "; " + gap +
          tr("tier %1: %2, usual error %3 %")
              .arg(int(shown_->tier))
-             .arg(model)
+             .arg(modelWords(shown_->tier))
              .arg(std::lround(100 * shown_->usual_error));
 }
 

@@ -22,7 +22,7 @@ LiveFieldView::LiveFieldView(LiveFieldPresenter& presenter, QWidget* parent)
   row->setContentsMargins(8, 2, 8, 2);
   bar_->setToolTip(
       tr("strength of the electric field on the brain; below a fifth of the maximum it is not coloured; the "
-         "white line is half of it"));
+         "white lines are 50, 75 and 90 % of it"));
   words_->setObjectName("muted");
   words_->setToolTip(tr(
       "of the coil as it is held now, with its measured gap. In brackets: the range that the model's usual "

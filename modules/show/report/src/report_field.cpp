@@ -17,6 +17,7 @@ std::string modelWords(int tier) {
   // The usual errors are those of steps/plan/head_field.h.
   if (tier == 0) return "tier 0: a sphere fitted to the skull under the coil, usual error 28 %";
   if (tier == 1) return "tier 1: scalp, skull and brain of the case, usual error 23 %";
+  if (tier == 2) return "tier 2: scalp, skull, fluid and brain of the case, usual error 19 %";
   return formatted("tier %d", tier);
 }
 
