@@ -1,6 +1,6 @@
 #include "facenav/measured_face/face_in_space.h"
 
-#include <numeric>
+#include <algorithm>
 
 #include "facenav/anatomy/face_norms.h"
 #include "facenav/anatomy/head_norms.h"
@@ -34,7 +34,11 @@ std::optional<Eigen::Vector3d> mean(const Triangulated& points, int first, int l
   return sum / n;
 }
 
+/// Leaves the start open if the cameras disagree about most landmarks: the few left agree by chance.
 void setStart(FaceInSpace& face, const Triangulated& points) {
+  const auto agreeing =
+      std::count_if(points.begin(), points.end(), [](const auto& p) { return p.has_value(); });
+  if (2 * agreeing < std::ptrdiff_t(points.size())) return;
   const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
   if (!right_eye || !left_eye) return;
   const double eyes_mm = (*right_eye - *left_eye).norm();
