@@ -21,7 +21,7 @@ Eigen::VectorXf standardised(const Eigen::VectorXf& values) {
   return norm > kTiny ? Eigen::VectorXf(centred / norm) : Eigen::VectorXf::Zero(values.size());
 }
 
-/// The same for each row.
+/// Standardises each row in the same way.
 Eigen::MatrixXf standardisedRows(const Eigen::MatrixXf& field) {
   Eigen::MatrixXf rows = field.colwise() - field.rowwise().mean();
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 using namespace interop::testing;
 
-/// The same voxels with the axes in another order and some of them reversed.
+/// Returns the same voxels with the axes in another order, some of them reversed.
 volume::VoxelGrid reordered(const volume::VoxelGrid& grid, const std::array<int, 3>& order, int reversed) {
   volume::VoxelGrid result = grid;
   for (int axis = 0; axis < 3; ++axis) {

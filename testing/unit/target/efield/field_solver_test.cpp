@@ -111,7 +111,7 @@ TEST(FieldSolver, IsReciprocalToTheFluxOfACurrentInTheBrain) {
   EXPECT_NEAR(field.dot(p), -1e5 * flux, 1e-3 * field.norm());
 }
 
-/// As in magnetoencephalography: B along each dipole of the coil, summed, from the coil's field.
+/// Compares B along each dipole of the coil, summed, with that from the coil's field (reciprocity).
 TEST(FieldSolver, GivesTheFluxOfSarvasEquationInABall) {
   Draw draw(14);
   for (int i = 0; i < 3; ++i) {

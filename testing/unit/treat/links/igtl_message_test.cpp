@@ -44,7 +44,7 @@ std::vector<Eigen::Isometry3d> truth() {
   return poses;
 }
 
-/// The same message, made anew from what was read in it.
+/// Makes the message anew from what was read in it.
 Bytes madeAgain(const IgtlMessage& read) {
   IgtlMessage message = read;
   const auto& content = read.content;

@@ -110,7 +110,7 @@ void factoriseTall(const MatrixView& a, int* pivots, Work& work) {
   const MatrixView left = a.part(0, 0, a.rows, n1), right = a.part(0, n1, a.rows, n2);
   factoriseTall(left, pivots, work);
   exchangeRows(right, pivots, n1);
-  // In parts, so that progress is reported in between.
+  // Works in parts, so that progress is reported in between.
   for (Index first = 0; first < n2; first += kPanel) {
     const Index count = std::min(kPanel, n2 - first);
     const MatrixView top = right.part(0, first, n1, count);

@@ -55,7 +55,7 @@ bool isKnown(const std::string& content);
 /// Reads a file of any known format. Throws Error with one line: no such file, empty, too large, not
 /// recognised, damaged; or a format that is known but not read.
 OtherFile readOther(const std::filesystem::path& path, const T1* t1);
-/// The same for content that is at hand.
+/// Reads content that is already in memory. Throws as readOther does.
 OtherFile readOtherText(Source source);
 
 }  // namespace facenav::interop

@@ -29,7 +29,8 @@ T1 readT1(const std::filesystem::path& path);
 /// Largest distance between two maps at the corners of a grid of this size, mm.
 double cornersApart_mm(const Eigen::Affine3d& a, const Eigen::Affine3d& b, const std::array<int, 3>& size);
 
-/// The same voxels in the order right, anterior, superior, as nibabel's as_closest_canonical stores them.
+/// Returns the same voxels in the order right, anterior, superior, as nibabel's as_closest_canonical stores
+/// them.
 volume::VoxelGrid canonical(const volume::VoxelGrid& grid);
 /// The grid of an image of which only the map is known, in the order right, anterior, superior, if it has as
 /// many voxels along each of these directions as `like`.
