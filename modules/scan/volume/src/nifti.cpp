@@ -20,11 +20,6 @@
 namespace facenav::volume {
 namespace {
 
-struct ImageDeleter {
-  void operator()(nifti_image* image) const { nifti_image_free(image); }
-};
-using ImagePtr = std::unique_ptr<nifti_image, ImageDeleter>;
-
 /// Reads the voxels without niftiio, which silently fills the missing part of a truncated file with zeros.
 void readVoxels(nifti_image& image, const std::filesystem::path& path) {
   constexpr double kMostCompression = 1040;  // deflate's limit is 1032
@@ -71,7 +66,7 @@ ImagePtr readImage(const std::filesystem::path& path, int components) {
       throw Error("is NIfTI-2, which is not read", path.string(), "save it as NIfTI-1 (.nii.gz)");
     throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
   }
-  ImagePtr image(nifti_image_read(path.c_str(), 0));
+  ImagePtr image = readHeader(path);
   if (!image || !image->iname)
     throw Error("NIfTI header is damaged", path.string(), "copy or export it again");
   const bool has_size = image->nx >= 1 && image->ny >= 1 && image->nz >= 1;

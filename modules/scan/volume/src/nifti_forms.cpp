@@ -2,8 +2,6 @@
 
 #include <nifti1_io.h>
 
-#include <memory>
-
 #include "facenav/core/error.h"
 #include "nifti_world.h"
 
@@ -13,8 +11,7 @@ NiftiForms readNiftiForms(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     throw Error("file does not exist", path.string(), "check the path");
   nifti_set_debug_level(0);
-  const std::unique_ptr<nifti_image, void (*)(nifti_image*)> image(
-      is_nifti_file(path.c_str()) < 0 ? nullptr : nifti_image_read(path.c_str(), 0), nifti_image_free);
+  const ImagePtr image = is_nifti_file(path.c_str()) < 0 ? nullptr : readHeader(path);
   if (!image) throw Error("is not a NIfTI file", path.string(), "export it again as .nii.gz");
   if (image->nx < 1 || image->ny < 1 || image->nz < 1)
     throw Error("holds no 3-D volume", path.string(), "choose the T1");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
@@ -103,6 +104,20 @@ std::string contradiction(const VoxelGrid& sform, const VoxelGrid& qform) {
 }
 
 }  // namespace
+
+ImagePtr readHeader(const std::filesystem::path& path) {
+  nifti_set_debug_level(0);
+  int is_swapped = 0;
+  const std::unique_ptr<nifti_1_header, void (*)(void*)> header(
+      nifti_read_header(path.c_str(), &is_swapped, 0), std::free);
+  if (!header) return nullptr;
+  int voxel_bytes = 0, swap_bytes = 0;
+  nifti_datatype_sizes(header->datatype, &voxel_bytes, &swap_bytes);
+  // What nifti_convert_nhdr2nim() refuses, with a line of its own at every level of debugging.
+  const bool has_dimensions = header->dim[0] >= 1 && header->dim[0] <= 7 && header->dim[1] >= 1;
+  if (!has_dimensions || voxel_bytes == 0) return nullptr;
+  return ImagePtr(nifti_image_read(path.c_str(), 0));
+}
 
 Eigen::Affine3d formOf(const mat44& form, int units) {
   Eigen::Affine3d affine = toAffine(form);

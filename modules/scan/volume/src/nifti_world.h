@@ -3,12 +3,22 @@
 
 #include <nifti1_io.h>
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "facenav/volume/nifti.h"
 
 namespace facenav::volume {
+
+struct ImageDeleter {
+  void operator()(nifti_image* image) const { nifti_image_free(image); }
+};
+using ImagePtr = std::unique_ptr<nifti_image, ImageDeleter>;
+
+/// Reads the header; null if it is damaged. Unlike nifti_image_read() it writes nothing to stderr.
+ImagePtr readHeader(const std::filesystem::path& path);
 
 /// The chosen voxel-to-world map, and the reason as text.
 struct WorldMap {

@@ -7,9 +7,11 @@
 
 #include <cstring>
 #include <fstream>
+#include <functional>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/volume/nifti_forms.h"
 #include "raw_nifti.h"
 #include "support/matchers.h"
 #include "support/nibabel.h"
@@ -235,6 +237,26 @@ TEST(Nifti, DamagedFilesAreRefusedInOneLine) {
   raw.save();
   EXPECT_THROW(volume::readNifti(path), Error);
   EXPECT_THROW(volume::readNifti(folder.path() / "absent.nii"), Error);
+}
+
+TEST(Nifti, TheLibrarySaysNothingOfADamagedHeader) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.nii";
+  volume::writeNifti(numberedVolume(), path);
+  const std::string good = readWholeFile(path);
+  const std::function<void(nifti_1_header&)> damages[] = {
+      [](auto& header) { header.dim[0] = 9; },   [](auto& header) { header.dim[0] = 0; },
+      [](auto& header) { header.dim[1] = 0; },   [](auto& header) { header.datatype = 0; },
+      [](auto& header) { header.datatype = 1; }, [](auto& header) { header.datatype = 999; }};
+  ::testing::internal::CaptureStderr();
+  for (const auto& damage : damages) {
+    Raw raw((writeWholeFile(path, good), path));
+    damage(raw.header);
+    raw.save();
+    EXPECT_THROW(volume::readNifti(path), Error);
+    EXPECT_THROW(volume::readNiftiForms(path), Error);
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Nifti, ValuesWhoseSquareIsNoNumberAndPipesAreRefused) {
