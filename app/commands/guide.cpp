@@ -119,11 +119,10 @@ void addGuide(CLI::App& app, Context& context) {
       ->needs(projected);
   verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request, session, verb] {
-    refuseIdleSession(*verb);
+    refuseIdleSession(*verb, {"--live"});
     if (!session->live.rig.empty()) return guideLive(*request, *session, context);
     if (request->poses.empty())
       throw WrongUsage("it is not said what to guide", "give POSES (poses.csv), or --live RIG");
-    requireNoSession(*session);
     guideTable(*request, context);
   });
 }

@@ -35,12 +35,6 @@ void addOutputOptions(CLI::App& verb, OutputChoice& choice) {
   addSendOptions(verb, choice);
 }
 
-void requireNoOutputs(const OutputChoice& choice) {
-  if (choice.is_served || !choice.send.empty())
-    throw WrongUsage("--serve and --send need a session, with --live or --pulses",
-                     "to serve a recording: facenav serve RECORDING");
-}
-
 std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet) {
   auto words = choice.send;
   if (choice.is_served)

@@ -22,8 +22,6 @@ struct OutputChoice {
 void addOutputOptions(CLI::App& verb, OutputChoice& choice);
 /// Adds --address and --send, for a verb that always serves.
 void addSendOptions(CLI::App& verb, OutputChoice& choice);
-/// Throws WrongUsage if an output is chosen for work that does not run in real time.
-void requireNoOutputs(const OutputChoice& choice);
 /// Opens the outputs and says so on stderr; null if none is chosen. Throws Error if one cannot be opened.
 std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet);
 

@@ -5,6 +5,8 @@
 #include "commands/commands.h"
 #include "commands/live_option.h"
 #include "commands/output_option.h"
+#include "facenav/capture/recording.h"
+#include "facenav/casefile/case_store.h"
 #include "facenav/treat/serve_poses.h"
 #include "json_output.h"
 #include "typed_values.h"
@@ -20,6 +22,14 @@ struct ServeVerb {
   bool is_json = false;
 };
 
+/// Throws Error for what is missing, before a port opens and its receivers are named.
+void requireInputs(const steps::TrackRequest& track) {
+  capture::openRecording(track.recording);
+  if (!track.case_folder) return;
+  const auto store = casefile::CaseStore::open(*track.case_folder);
+  if (!track.target.empty()) store.targets().find(track.target);
+}
+
 void serve(Context& context, ServeVerb verb) {
   auto& request = verb.request;
   const bool is_live = !verb.cameras.rig.empty() || !verb.cameras.left.empty();
@@ -31,6 +41,7 @@ void serve(Context& context, ServeVerb verb) {
                      "for a session of a case: facenav track --live RIG --case CASE --serve");
   if (!request.track.target.empty() && !request.track.case_folder)
     throw WrongUsage("a target belongs to a case", "give it with --case");
+  if (!is_live) requireInputs(request.track);
   if (is_live) request.openCameras = [&verb, &context] { return openLive(verb.cameras, context); };
   const auto& methods = context.registrations;
   request.track.aligner = methods.aligners.defaultName();

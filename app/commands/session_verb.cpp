@@ -6,6 +6,7 @@
 #include "commands/pulse_keys.h"
 #include "commands/session_commands.h"
 #include "commands/session_teller.h"
+#include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
 #include "facenav/links/igtl_client.h"
 #include "facenav/treat/served_coil.h"
@@ -125,13 +126,12 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
   addOutputOptions(verb, session.outputs);
 }
 
-void requireNoSession(const SessionVerb& verb) {
-  requireNoOutputs(verb.outputs);
-  if (!verb.tracker.empty()) throw WrongUsage("--tracker needs a session", "use --live or --pulses");
-}
-
-void refuseIdleSession(const CLI::App& verb) {
-  refuseIdle(verb, {"--intensity", "--by", "--override", "--continue", "--commands"}, {"--pulses", "--live"});
+void refuseIdleSession(const CLI::App& verb, const std::vector<std::string>& starters) {
+  std::vector<std::string> options{"--intensity", "--field-coil", "--by",    "--override", "--continue",
+                                   "--commands",  "--tracker",    "--serve", "--address",  "--send"};
+  const bool starts_by_pulses = std::find(starters.begin(), starters.end(), "--pulses") != starters.end();
+  if (!starts_by_pulses) options.push_back("--pulses");
+  refuseIdle(verb, options, starters);
 }
 
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
@@ -143,6 +143,7 @@ steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& contex
   auto request = requestOf(verb, context);
   const bool has_keyboard = hasKeyboard(verb);
   noteInterrupted(verb, context);
+  if (verb.live.rig.empty()) capture::openRecording(verb.recording);  // missing: said before a port opens
   request.outputs = openOutputs(verb.outputs, context.is_quiet);
   SessionCommands commands(coil_library::coilLibrary(verb.coil.library));
   SessionTeller teller(context.is_quiet || verb.has_commands || verb.is_json);

@@ -40,10 +40,9 @@ void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Adds --pulses, --intensity, --field-coil, --by, --override, --continue, --session, --commands, --tracker,
 /// --serve, --send.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
-/// Throws WrongUsage if an option of a session was given where none runs.
-void refuseIdleSession(const CLI::App& verb);
-/// Throws WrongUsage if an option is given that only a session in real time has.
-void requireNoSession(const SessionVerb& verb);
+/// Throws WrongUsage if an option of a session was given and no session runs. `starters`: the options that
+/// start one in this verb.
+void refuseIdleSession(const CLI::App& verb, const std::vector<std::string>& starters);
 /// Runs until the end, Ctrl-C, or a command from standard input. Reports changes (lost, found, a camera away)
 /// on stderr, one line each. The session is stored in each case. Throws Error.
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);

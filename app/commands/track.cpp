@@ -78,7 +78,6 @@ void run(steps::TrackRequest request, SessionVerb session, const std::filesystem
                      "give a RECORDING, or --live RIG");
   fillSession(request, session);
   if (is_live || !session.sources.empty()) return treat(session, output, context);
-  requireNoSession(session);
   const auto library = coil_library::coilLibrary(session.coil.library);
   if (!session.coil.words.empty()) request.coil_file = coil_library::coilFileOf(session.coil.words, library);
   track(request, output, session.is_json, context);
@@ -123,7 +122,7 @@ void addTrack(CLI::App& app, Context& context) {
   addPlaying(*verb, *session);
   verb->add_flag("--json", session->is_json, "the result as JSON");
   verb->callback([&context, request, output, session, verb] {
-    refuseIdleSession(*verb);
+    refuseIdleSession(*verb, {"--pulses", "--live"});
     refuseIdle(*verb, {"--speed", "--passes", "--target"}, {"--pulses", "--live"});
     run(*request, *session, *output, context);
   });

@@ -66,6 +66,9 @@ TEST_F(Serve, OptionsThatDoNotFitAreWrongUsage) {
         "track " + recording() + " --send osc:9 -o poses.csv",
         "track " + recording() + " --pulses keyboard --serve here -o poses.csv"})
     EXPECT_EQ(runFacenav(words).status, 2) << words;
+  const auto missing = runFacenav("serve " + (folder_.path() / "absent").string());
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_EQ(missing.errors.find("sending to"), std::string::npos) << missing.errors;
   const auto used = runFacenav(some + " --address 300.1.1.1");
   EXPECT_EQ(used.status, 1);
   EXPECT_THAT(used.errors, HasSubstr("is no address"));
