@@ -1,5 +1,6 @@
 #include "commands/import_other.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <set>
@@ -86,8 +87,11 @@ Json jsonOf(const steps::ImportedItems& imported) {
 }
 
 void printSummary(const steps::ImportedItems& imported, const steps::ImportPreview& preview) {
+  const auto same = std::count_if(preview.items.begin(), preview.items.end(), [](const auto& item) {
+    return item.fate == steps::ItemFate::unchanged && item.item.kind == Kind::target;
+  });
   std::printf("%d targets added", imported.targets);
-  if (const int same = preview.count(steps::ItemFate::unchanged)) std::printf(", %d there already", same);
+  if (same > 0) std::printf(", %d there already", int(same));
   for (const auto& folder : imported.sessions) std::printf("; session %s", folder.filename().c_str());
   if (imported.pulses > 0) std::printf(" with %d pulses", imported.pulses);
   std::printf("\n");

@@ -103,6 +103,7 @@ const Format& writtenFormat(const std::string& name) {
 }
 
 bool isKnown(const std::string& content) {
+  if (startsWith(content, "\xEF\xBB\xBF")) return isKnown(content.substr(3));
   if (!knownButNotRead(content).empty() && !startsWith(content, "PK")) return true;
   return std::any_of(formats().begin(), formats().end(),
                      [&](const Format& format) { return format.recognises && format.recognises(content); });

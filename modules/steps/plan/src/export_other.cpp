@@ -78,14 +78,12 @@ void addLandmarks(const casefile::CaseStore& store, std::vector<Item>& items) {
   }
 }
 
-/// Formats that hold targets or pulses in one file, and not both: pulses only when asked for.
-bool holdsOneKind(const std::string& format) { return format == "localite" || format == "navinibs"; }
-
 std::vector<Item> itemsOf(const casefile::CaseStore& store, const OtherExport& order,
                           const interop::Format& format) {
   std::vector<Item> items;
   addTargets(store, order, items);
-  const bool is_whole = order.targets.empty() && format.holds_pulses && !holdsOneKind(format.name);
+  const bool is_whole =
+      (order.targets.empty() || order.has_all_sessions) && format.holds_pulses && !holdsOneKind(format.name);
   if (!order.session.empty() || is_whole) addPulses(store, order, items);
   addLandmarks(store, items);
   return items;
@@ -98,6 +96,8 @@ fs::path placeOf(const OtherExport& order, const interop::Format& format) {
 }
 
 }  // namespace
+
+bool holdsOneKind(const std::string& format) { return format == "localite" || format == "navinibs"; }
 
 ExportedFile exportOther(const casefile::CaseStore& store, const OtherExport& order) {
   const auto& format = interop::writtenFormat(order.format);

@@ -1,18 +1,14 @@
 #include "facenav/plan/import_other.h"
 
 #include <algorithm>
-#include <chrono>
-#include <set>
 
 #include "facenav/casefile/landmarks_file.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/plain_words.h"
-#include "facenav/core/utc_time.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/interop/formats.h"
 #include "facenav/plan/plan_edits.h"
-#include "facenav/plan/pose_target.h"
 #include "facenav/volume/nifti.h"
 #include "imported_session.h"
 
@@ -27,10 +23,6 @@ constexpr double kSame_mm = 0.05, kSame_deg = 0.05;
 constexpr double kSameImage = 0.95;  // least correlation of an image with a copy that was rounded or scaled
 constexpr std::size_t kSkinPoints = 4000;  // of the skin, to judge poses by: some mm apart
 
-std::string originOf(const OtherImport& order, const interop::OtherFile& file) {
-  return order.file.filename().string() + " (" + file.words + ")";
-}
-
 bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>& pose) {
   const auto error = poseError(target.mri_T_target.reframe<Mri, Coil>(), pose);
   return error.translation_mm < kSame_mm && error.rotation_rad * kDegPerRad < kSame_deg;
@@ -43,41 +35,65 @@ void makeNameSingle(Item& item, std::set<std::string>& names) {
   if (item.name != name) item.notes.push_back("the file has the name '" + name + "' twice");
 }
 
-void judgeTarget(PreviewedItem& previewed, const guidance::TreatmentPlan& plan, bool replaces) {
-  const Item& item = previewed.item;
-  const auto refuse = [&](const std::string& why) {
+/// What an item is compared with.
+struct Known {
+  guidance::TreatmentPlan plan;             // of the case, with the targets of earlier files
+  std::set<std::string> of_earlier_files;   // names of those
+  std::set<std::string> imported_sessions;  // of this file, which the case has already
+};
+
+/// Judges a target that has a pose by the targets of its name.
+void judgeName(PreviewedItem& previewed, const Known& known, bool replaces) {
+  const auto* old = find(known.plan, previewed.item.name);
+  previewed.fate = old ? ItemFate::replaced : ItemFate::added;
+  if (!old) return;
+  const std::string holder = known.of_earlier_files.count(old->name) ? "a file before it" : "the case";
+  if (isSamePose(*old, *previewed.item.mri_T_coil)) {
+    previewed.fate = ItemFate::unchanged;
+  } else if (old->is_locked || !replaces) {
     previewed.fate = ItemFate::refused;
-    previewed.reason = why;
-  };
+    previewed.reason =
+        holder + (old->is_locked
+                      ? " has a target of this name, and it is locked"
+                      : " has a target of this name with another pose: give --replace, or rename it");
+  }
+}
+
+void judgeTarget(PreviewedItem& previewed, const Known& known, const OtherImport& order) {
+  const Item& item = previewed.item;
   if (!item.mri_T_coil) {
     previewed.fate = ItemFate::listed;
     previewed.reason = item.reason.empty() ? "no pose" : item.reason;
     return;
   }
-  if (const std::string fault = faultOfWords(item.name, kLongestName); !fault.empty())
-    return refuse("its name " + fault);
-  const auto* old = find(plan, item.name);
-  previewed.fate = old ? ItemFate::replaced : ItemFate::added;
-  if (!old) return;
-  if (isSamePose(*old, *item.mri_T_coil))
-    previewed.fate = ItemFate::unchanged;
-  else if (old->is_locked)
-    refuse("the case has a target of this name, and it is locked");
-  else if (!replaces)
-    refuse("the case has a target of this name with another pose: give --replace, or rename it");
+  if (const std::string fault = faultOfWords(item.name, kLongestName); !fault.empty()) {
+    previewed.fate = ItemFate::refused;
+    previewed.reason = "its name " + fault;
+    return;
+  }
+  previewed.fate = ItemFate::left_out;
+  if (!order.left_out_targets.count(item.name)) judgeName(previewed, known, order.replaces);
 }
 
-PreviewedItem judged(const Item& item, const guidance::TreatmentPlan& plan, bool replaces) {
+void judgePulse(PreviewedItem& previewed, const Known& known, const OtherImport& order) {
+  const Item& item = previewed.item;
+  previewed.fate = order.left_out_sessions.count(item.session) ? ItemFate::left_out : ItemFate::added;
+  if (!item.mri_T_coil) previewed.reason = item.reason;
+  if (!known.imported_sessions.count(item.session)) return;
+  previewed.fate = ItemFate::unchanged;
+  previewed.reason = "its session was imported before";
+}
+
+PreviewedItem judged(const Item& item, const Known& known, const OtherImport& order) {
   PreviewedItem previewed;
   previewed.item = item;
   if (!item.refusal.empty()) {
     previewed.fate = ItemFate::refused;
     previewed.reason = item.refusal;
   } else if (item.kind == Kind::target) {
-    judgeTarget(previewed, plan, replaces);
+    judgeTarget(previewed, known, order);
   } else if (item.kind == Kind::pulse && !item.mri_place) {
-    previewed.fate = ItemFate::added;
-    if (!item.mri_T_coil) previewed.reason = item.reason;
+    judgePulse(previewed, known, order);
   } else {
     previewed.reason =
         item.reason.empty() ? "a place only; facenav target makes a target there" : item.reason;
@@ -109,46 +125,35 @@ void requireSameImage(const casefile::CaseStore& store, const interop::T1& their
               "name the T1 that the case was prepared from");
 }
 
-guidance::Target targetOf(const casefile::CaseStore& store, const surface::ScalpSurface& scalp,
-                          const Item& item, const OtherImport& order, const interop::OtherFile& file) {
-  guidance::Target target;
-  target.name = item.name;
-  target.mri_T_target = item.mri_T_coil->reframe<Mri, frames::Target>();
-  target.cortex_point =
-      item.cortex_point_mm ? Point<Mri>(*item.cortex_point_mm) : cortexOnAxis(store, *item.mri_T_coil);
-  target.scalp_point =
-      item.scalp_point_mm ? Point<Mri>(*item.scalp_point_mm) : skinOnAxis(scalp, *item.mri_T_coil);
-  target.note = "from " + originOf(order, file);
-  target.changes = {
-      {isoUtc(std::chrono::system_clock::now()), order.by, "imported from " + originOf(order, file)}};
-  return target;
-}
-
-guidance::TreatmentPlan planWith(const casefile::CaseStore& store, const OtherImport& order,
-                                 const ImportPreview& preview, int& count) {
-  auto plan = store.targets();
-  std::optional<surface::ScalpSurface> scalp;
-  for (const auto& [item, fate, reason] : preview.items) {
-    if (item.kind != Kind::target || (fate != ItemFate::added && fate != ItemFate::replaced)) continue;
-    if (!scalp) scalp = store.scalp();
-    const auto target = targetOf(store, *scalp, item, order, preview.file);
-    guidance::requireSound(target);
-    plan = with(std::move(plan), item.name, target);
-    ++count;
-  }
-  return plan;
-}
-
 void noteClock(const OtherImport& order, ImportPreview& preview) {
   if (preview.pulses() == 0 || preview.file.is_clock_utc) return;
   preview.file.notes.push_back(
       formatted("the times of its pulses name no zone: taken as UTC%+g (--utc-offset)", order.utc_offset_h));
 }
 
+ImportPreview previewOf(const casefile::CaseStore& store, const interop::CaseHead& head,
+                        const OtherImport& order, Known known) {
+  std::optional<interop::T1> file_t1;
+  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
+  if (file_t1) requireSameImage(store, *file_t1, head.t1);
+  ImportPreview preview;
+  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
+  interop::check(preview.file, head, order.answers, file_t1);
+  known.imported_sessions = importedSessions(store, order);
+  std::set<std::string> names;
+  for (auto& item : preview.file.items) {
+    if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
+    preview.items.push_back(judged(item, known, order));
+  }
+  preview.file.items.clear();
+  noteClock(order, preview);
+  return preview;
+}
+
 }  // namespace
 
 std::string toString(ItemFate fate) {
-  constexpr const char* kWords[] = {"added", "replaced", "unchanged", "listed", "refused"};
+  constexpr const char* kWords[] = {"added", "replaced", "unchanged", "listed", "refused", "left out"};
   return kWords[int(fate)];
 }
 
@@ -204,45 +209,30 @@ interop::CaseHead caseHead(const casefile::CaseStore& store) {
 }
 
 ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order) {
-  const auto head = caseHead(store);
-  std::optional<interop::T1> file_t1;
-  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
-  if (file_t1) requireSameImage(store, *file_t1, head.t1);
-  ImportPreview preview;
-  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
-  interop::check(preview.file, head, order.answers, file_t1);
-  const auto plan = store.targets();
-  std::set<std::string> names;
-  for (auto& item : preview.file.items) {
-    if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
-    preview.items.push_back(judged(item, plan, order.replaces));
-  }
-  preview.file.items.clear();
-  noteClock(order, preview);
-  return preview;
+  return previewOf(store, caseHead(store), order, {store.targets(), {}, {}});
 }
 
-ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& order,
-                          const ImportPreview& preview) {
-  if (!order.skips_refused && preview.count(ItemFate::refused) > 0)
-    throw Error(preview.refusal(), order.file.string(), "nothing was imported");
-  ImportedItems imported;
-  const auto before = store.targets();
-  const auto plan = planWith(store, order, preview, imported.targets);
-  auto sessions = newSessions(store, order, preview, plan);
-  if (imported.targets > 0) store.setTargets(plan);
-  try {
-    for (auto& session : sessions) {
-      session.whole->commit();
-      imported.sessions.push_back(session.folder);
-      imported.pulses += session.pulses;
+std::vector<PreviewedFile> previewImports(const casefile::CaseStore& store, const interop::CaseHead& head,
+                                          const std::vector<OtherImport>& orders) {
+  Known known{store.targets(), {}, {}};
+  std::vector<PreviewedFile> files;
+  for (const auto& order : orders) {
+    PreviewedFile& file = files.emplace_back(PreviewedFile{order, {}, {}});
+    try {
+      file.preview = previewOf(store, head, order, known);
+    } catch (const Error& error) {
+      file.failure = error.what();
     }
-  } catch (...) {
-    for (const auto& folder : imported.sessions) std::filesystem::remove_all(folder);
-    if (imported.targets > 0) store.setTargets(before);
-    throw;
+    for (const auto& [item, fate, reason] : file.preview.items) {
+      if (item.kind != Kind::target || (fate != ItemFate::added && fate != ItemFate::replaced)) continue;
+      guidance::Target target;
+      target.name = item.name;
+      target.mri_T_target = item.mri_T_coil->reframe<Mri, frames::Target>();
+      known.plan = with(std::move(known.plan), item.name, target);
+      known.of_earlier_files.insert(item.name);
+    }
   }
-  return imported;
+  return files;
 }
 
 }  // namespace facenav::steps

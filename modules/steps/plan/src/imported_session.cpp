@@ -1,5 +1,6 @@
 #include "imported_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -82,22 +83,24 @@ casefile::Pulse pulseOf(const interop::Item& item, int number, double start_s, c
   return pulse;
 }
 
-bool wasImported(const fs::path& folder, const std::string& sha256) {
-  try {
-    return JsonReader::readFile(folder / kImported).at("sha256").text() == sha256;
-  } catch (const Error&) {
-    return false;  // another session, made here
+/// A folder for a session that starts then; neither the case has it nor is it one of `taken`.
+fs::path freeFolder(const casefile::CaseStore& store, const std::string& first_utc,
+                    const std::vector<fs::path>& taken) {
+  for (int count = 1;; ++count) {
+    const fs::path folder = store.folder() / "sessions" /
+                            (folderNameOf(first_utc) + (count == 1 ? "" : "_" + std::to_string(count)));
+    if (!fs::exists(folder) && std::find(taken.begin(), taken.end(), folder) == taken.end()) return folder;
   }
 }
 
 void writeOrigin(const fs::path& folder, const OtherImport& order, const ImportPreview& preview,
-                 const std::string& session, const std::string& sha256) {
+                 const std::string& session) {
   const nlohmann::ordered_json json{{"format", "facenav imported session"},
                                     {"version", 1},
                                     {"file", order.file.filename().string()},
                                     {"from", preview.file.words},
                                     {"session", session},
-                                    {"sha256", sha256},
+                                    {"sha256", casefile::sha256OfFile(order.file)},
                                     {"utc_offset_h", order.utc_offset_h},
                                     {"imported_utc", isoUtc(std::chrono::system_clock::now())},
                                     {"software_version", softwareVersion()}};
@@ -118,10 +121,9 @@ void writeEvents(const fs::path& folder, const OtherImport& order, const ImportP
   writeWholeFile(folder / "events.jsonl", lines);
 }
 
-std::optional<NewSession> newSession(const casefile::CaseStore& store, const OtherImport& order,
-                                     const ImportPreview& preview, const guidance::TreatmentPlan& plan,
-                                     const std::string& name, const Pulses& pulses,
-                                     const std::string& sha256) {
+NewSession newSession(const casefile::CaseStore& store, const OtherImport& order,
+                      const ImportPreview& preview, const guidance::TreatmentPlan& plan,
+                      const std::string& name, const Pulses& pulses, const std::vector<fs::path>& taken) {
   std::optional<double> first_s, last_s;
   for (const auto* pulse : pulses) {
     if (!pulse->clock_s) continue;
@@ -131,39 +133,53 @@ std::optional<NewSession> newSession(const casefile::CaseStore& store, const Oth
   }
   const std::string now = isoUtc(std::chrono::system_clock::now());
   const std::string first_utc = first_s ? isoOf(*first_s) : now, last_utc = last_s ? isoOf(*last_s) : now;
-  const fs::path sessions = store.folder() / "sessions";
   NewSession made;
-  for (int count = 1;; ++count) {
-    made.folder = sessions / (folderNameOf(first_utc) + (count == 1 ? "" : "_" + std::to_string(count)));
-    if (!fs::exists(made.folder)) break;
-    if (wasImported(made.folder, sha256)) return std::nullopt;
-  }
-  if (!fs::exists(sessions)) makePrivateFolder(sessions);
+  made.folder = freeFolder(store, first_utc, taken);
+  if (!fs::exists(made.folder.parent_path())) makePrivateFolder(made.folder.parent_path());
   made.whole = std::make_unique<WholeFolder>(made.folder, FileAccess::owner_only);
   const fs::path folder = made.whole->temporaryPath();
   casefile::PulseFile file(folder);
   for (const auto* pulse : pulses)
     file.keep(pulseOf(*pulse, ++made.pulses, first_s.value_or(0), order, preview, plan));
   writeEvents(folder, order, preview, first_utc, last_utc);
-  writeOrigin(folder, order, preview, name, sha256);
+  writeOrigin(folder, order, preview, name);
   return made;
 }
 
 }  // namespace
 
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
-                                    const ImportPreview& preview, const guidance::TreatmentPlan& plan) {
+                                    const ImportPreview& preview, const guidance::TreatmentPlan& plan,
+                                    const std::vector<NewSession>& others) {
+  std::vector<fs::path> taken;
+  for (const auto& other : others) taken.push_back(other.folder);
   std::map<std::string, Pulses> by_session;
   for (const auto& [item, fate, reason] : preview.items)
     if (item.kind == interop::Kind::pulse && fate == ItemFate::added)
       by_session[item.session].push_back(&item);
   std::vector<NewSession> made;
-  if (by_session.empty()) return made;
-  const std::string sha256 = casefile::sha256OfFile(order.file);
-  for (const auto& [name, pulses] : by_session)
-    if (auto session = newSession(store, order, preview, plan, name, pulses, sha256))
-      made.push_back(std::move(*session));
+  for (const auto& [name, pulses] : by_session) {
+    made.push_back(newSession(store, order, preview, plan, name, pulses, taken));
+    taken.push_back(made.back().folder);
+  }
   return made;
+}
+
+std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order) {
+  std::set<std::string> names;
+  std::optional<std::string> sha256;
+  for (const auto& folder : casefile::sessionFolders(store.folder())) {
+    if (!fs::exists(folder / kImported)) continue;
+    if (!sha256) sha256 = casefile::sha256OfFile(order.file);
+    try {
+      const auto origin = JsonReader::readFile(folder / kImported);
+      const bool is_same_clock =
+          !origin.has("utc_offset_h") || origin.at("utc_offset_h").number() == order.utc_offset_h;
+      if (origin.at("sha256").text() == *sha256 && is_same_clock) names.insert(origin.at("session").text());
+    } catch (const Error&) {  // a damaged note hides no session
+    }
+  }
+  return names;
 }
 
 }  // namespace facenav::steps

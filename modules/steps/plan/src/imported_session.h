@@ -17,9 +17,13 @@ struct NewSession {
   int pulses = 0;
 };
 
-/// Writes a session for each session of the file. Throws Error; nothing is visible before the folders are
-/// committed. A session that was imported before from the same file is left out.
+/// Writes a session for each session of the file, under a name that neither the case nor `others` have.
+/// Throws Error; nothing is visible before the folders are committed.
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
-                                    const ImportPreview& preview, const guidance::TreatmentPlan& plan);
+                                    const ImportPreview& preview, const guidance::TreatmentPlan& plan,
+                                    const std::vector<NewSession>& others);
+/// Names, as the file has them, of the sessions that were imported before from a file of this content, with
+/// this offset of its clock.
+std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order);
 
 }  // namespace facenav::steps

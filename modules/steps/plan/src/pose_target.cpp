@@ -15,7 +15,13 @@ constexpr double kFarthestSkin_mm = 60;
 
 Point<Mri> cortexOnAxis(const casefile::CaseStore& store, const RigidTransform<Mri, Coil>& mri_T_coil,
                         std::optional<double> otherwise_mm) {
-  if (const auto brain = store.brain())
+  const auto brain = store.brain();
+  return cortexOnAxis(brain ? &*brain : nullptr, mri_T_coil, otherwise_mm);
+}
+
+Point<Mri> cortexOnAxis(const surface::BrainModel* brain, const RigidTransform<Mri, Coil>& mri_T_coil,
+                        std::optional<double> otherwise_mm) {
+  if (brain)
     if (const auto met = guidance::axisOnSurface(brain->mesh, mri_T_coil)) return *met;
   return mri_T_coil * Point<Coil>(0, 0, otherwise_mm.value_or(kUsualCortexDepth_mm));
 }

@@ -16,6 +16,7 @@ struct OtherExport {
   std::string session;               // of the pulses; empty: all sessions where the format holds both
   std::filesystem::path output;      // a file, "-", an existing folder, or empty: the default name here
   bool replaces = false;
+  bool has_all_sessions = false;  // the pulses of all sessions also beside chosen targets
 };
 
 struct ExportedFile {
@@ -24,6 +25,8 @@ struct ExportedFile {
   std::vector<std::string> notes;
 };
 
+/// Returns true for a format whose file holds targets or the pulses of one session, never both.
+bool holdsOneKind(const std::string& format);
 /// Writes the file, whole and for the user alone. Throws Error: no such format, target or session, no target,
 /// a file that exists, or a case without an MRI.
 ExportedFile exportOther(const casefile::CaseStore& store, const OtherExport& order);

@@ -1,9 +1,11 @@
 #pragma once
-// PLAN: takes targets and pulses from a file of another program (interop). First a preview, which says of
+// PLAN: takes targets and pulses from files of other programs (interop). First a preview, which says of
 // every item what would become of it; then all of it is written, or nothing.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,12 @@ struct OtherImport {
   bool replaces = false;       // targets of the same name with another pose
   bool skips_refused = false;  // takes the rest
   std::string by;              // who imports; may be empty
+  std::set<std::string> left_out_targets, left_out_sessions;  // names; the user wants the others only
 };
 
 /// What becomes of an item. listed: it is shown and not kept (landmarks, electrodes, targets without a pose).
-enum class ItemFate { added, replaced, unchanged, listed, refused };
+/// left_out: the user does not want it.
+enum class ItemFate { added, replaced, unchanged, listed, refused, left_out };
 /// Returns "added", "replaced", ..
 std::string toString(ItemFate fate);
 
@@ -46,6 +50,16 @@ struct ImportPreview {
 /// without an MRI.
 ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order);
 
+/// One of several files that are taken together.
+struct PreviewedFile {
+  OtherImport order;
+  ImportPreview preview;
+  std::string failure;  // why it cannot be read; empty: `preview` holds what it has
+};
+/// Previews the files in their order. A target of one counts as the case's for those after it.
+std::vector<PreviewedFile> previewImports(const casefile::CaseStore& store, const interop::CaseHead& head,
+                                          const std::vector<OtherImport>& orders);
+
 struct ImportedItems {
   int targets = 0;  // added or replaced
   int pulses = 0;
@@ -55,6 +69,13 @@ struct ImportedItems {
 /// refused and not skipped.
 ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& order,
                           const ImportPreview& preview);
+
+/// Stores the plan with the new targets. Throws Error if it cannot, and then keeps the old plan.
+using WritePlan = std::function<void(const guidance::TreatmentPlan&)>;
+/// Writes what the previews of several files say, all or nothing; files that could not be read are left out.
+/// Throws Error as importOther() does.
+ImportedItems importOthers(const casefile::CaseStore& store, const std::vector<PreviewedFile>& files,
+                           const WritePlan& write);
 
 /// The case as items are judged by it. Throws Error for a case without an MRI.
 interop::CaseHead caseHead(const casefile::CaseStore& store);

@@ -69,6 +69,9 @@ class PlanEditor {
   /// (guidance::movedOnHead). Throws Error if there is no scalp at the new position.
   void nudge(double x_mm, double y_mm);
 
+  /// Takes a plan that was made elsewhere from this one, as one step.
+  void take(const guidance::TreatmentPlan& next, const std::string& active) { apply(next, active); }
+
   /// Undoes a step. The active target is the one from before the step; a target that was chosen since stays
   /// the active one. Returns false if there is no step.
   bool undo();
