@@ -277,6 +277,11 @@ void PlanPresenter::setGrid(const std::optional<guidance::GridSpec>& grid) {
   if (active()) attempt([&] { editor_.setGrid(grid); });
 }
 
+void PlanPresenter::takePlan(const guidance::TreatmentPlan& next, const QString& active) {
+  editor_.take(next, active.toStdString());
+  emit changed();
+}
+
 void PlanPresenter::moveActive(int places) {
   if (active()) attempt([&] { editor_.move(places); });
 }

@@ -60,6 +60,9 @@ class PlanPresenter : public QObject {
   void setCoilNamed(const QString& name);
   /// Sets a grid around the active target, or removes it. Its targets that were edited by hand stay.
   void setGrid(const std::optional<guidance::GridSpec>& grid);
+  /// Takes a plan with imported targets, as one step. Throws Error if it cannot be written; nothing has
+  /// changed then, and refused() is not emitted.
+  void takePlan(const guidance::TreatmentPlan& next, const QString& active);
   /// Moves the active target up (-1) or down (1) in the list.
   void moveActive(int places);
   /// Undoes the last step. The target that was active before it is active again, unless another one was

@@ -89,6 +89,12 @@ void MainWindow::addFileMenu() {
         prepare_workspace_->chooseInput();
       },
       Qt::CTRL + Qt::Key_I);
+  file->addAction(
+      tr("I&mport targets from another navigator\u2026"), this, [this] { importOther(); },
+      Qt::CTRL + Qt::SHIFT + Qt::Key_I);
+  file->addAction(tr("&Export for another program\u2026"), this, &MainWindow::exportOther,
+                  Qt::CTRL + Qt::SHIFT + Qt::Key_E);
+  file->addSeparator();
   file->addAction(tr("&Set up the cameras\u2026"), this, [this] { setUpCameras(); });
   file->addAction(tr("Calibrate the &projector\u2026"), this, &MainWindow::calibrateProjector);
   file->addSeparator();

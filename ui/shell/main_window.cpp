@@ -2,12 +2,9 @@
 
 #include <QButtonGroup>
 #include <QCloseEvent>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -311,26 +308,6 @@ void MainWindow::showCaseWords() {
 void MainWindow::showLive(const ReadOut& read_out) {
   holdQueue();
   header_->setLive(read_out);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  for (const QUrl& url : event->mimeData()->urls())
-    if (const QString path = url.toLocalFile(); !path.isEmpty()) take(path);
-}
-
-/// Opens a case, passes a recording to Treat, and queues anything else to become a case.
-void MainWindow::take(const QString& path) {
-  if (QFileInfo::exists(path + "/case.json")) return openCase(path);
-  if (QFileInfo::exists(path + "/stereo.yml")) {
-    setWorkspace(Workspace::treat);
-    return treat_.openRecording(path);
-  }
-  setPrepareStep(PrepareStep::worklist);
-  queue_.add(inputOf(path));
 }
 
 /// Asks without holding up the window: guidance goes on meanwhile.

@@ -69,6 +69,13 @@ class MainWindow : public QMainWindow {
   ReplayPresenter& replay() { return replay_; }
   /// All keyboard shortcuts of the window, by workspace.
   std::vector<ShortcutLine> shortcuts() const;
+  /// Shows what these files of other programs would bring into the open case; it asks for files if there are
+  /// none.
+  void importOther(QStringList files = {});
+  /// Opens the window that writes targets and pulses for another program.
+  void exportOther();
+  /// Takes what was dropped: files of other programs on Plan and Review, a case, a recording, or a scan.
+  void take(const QStringList& dropped_paths);
   /// Opens the manual where it describes the page in view.
   void showHelp();
 
@@ -93,7 +100,8 @@ class MainWindow : public QMainWindow {
   void showCaseWords();
   void showLive(const ReadOut& read_out);
   void goOnPlaying();
-  void take(const QString& dropped_path);
+  void takeScan(const QString& path);
+  void showImported(const QString& words, bool has_targets, const QString& session);
   void holdQueue();
   void remember();
   void goOnRestoring();
