@@ -27,6 +27,10 @@ std::string detailWords(LossDetail detail) {
       return monitoring::bannerOf(health::RigState::swapped);
     case LossDetail::out_of_step:
       return monitoring::bannerOf(health::RigState::out_of_step);
+    case LossDetail::cameras_moved:
+      return monitoring::bannerOf(health::RigState::moved);
+    case LossDetail::cameras_disagree:
+      return "CAMERAS DISAGREE: one has moved, or they expose at different moments";
     case LossDetail::other_face:
       return "ANOTHER PERSON: only the patient's face is followed";
     case LossDetail::doubtful:
