@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
+#include <map>
 
 #include "facenav/casefile/landmarks_file.h"
 #include "facenav/core/error.h"
@@ -36,10 +36,12 @@ bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>&
   return error.translation_mm < kSame_mm && error.rotation_rad * kDegPerRad < kSame_deg;
 }
 
-/// A name that no other item of the file has: the second "M1" becomes "M1 (2)".
-void makeNameSingle(Item& item, std::set<std::string>& names) {
+/// A name that no other item of the file has: the second "M1" becomes "M1 (2)". `names`: those in use, and
+/// how often each was met.
+void makeNameSingle(Item& item, std::map<std::string, int>& names) {
   const std::string name = item.name;
-  for (int count = 2; !names.insert(item.name).second; ++count) item.name = name + formatted(" (%d)", count);
+  while (names.count(item.name) > 0) item.name = name + formatted(" (%d)", ++names[name]);
+  names[item.name] = 1;
   if (item.name != name) item.notes.push_back("the file has the name '" + name + "' twice");
 }
 
@@ -227,7 +229,7 @@ ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport&
   if (file_t1) requireSameImage(store, *file_t1, head.t1);
   interop::check(preview.file, head, order.answers, file_t1);
   const auto plan = store.targets();
-  std::set<std::string> names;
+  std::map<std::string, int> names;
   for (auto& item : preview.file.items) {
     if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
     preview.items.push_back(judged(item, plan, order.replaces));
