@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <set>
 
 #include "facenav/core/error.h"
@@ -55,12 +56,23 @@ std::set<std::string> foldersWith(const FileSet& files, const std::string& file_
               files.root().string(), "choose the folder of one");
 }
 
+/// NIBS-BIDS in or below a folder; nothing if there is none. The data set may begin above or below it.
+std::optional<OtherFile> readNibsBelow(const fs::path& folder) {
+  const fs::path root = nibsDataSetOf(folder);
+  const FileSet files = FileSet::below(root, folder, true);
+  const auto markers = nibsMarkers(files);
+  if (markers.empty()) return std::nullopt;
+  const auto set = nibsDataSetOf((root / markers.front()).parent_path());
+  if (set == root || !fs::exists(set / "dataset_description.json")) return readNibsSet(files, markers);
+  for (const auto& name : markers)
+    if (nibsDataSetOf((root / name).parent_path()) != set)
+      refuseFile(folder, "", "holds several data sets of NIBS-BIDS", "choose the folder of one");
+  return readNibsBelow(set);
+}
+
 OtherFile readSet(const fs::path& path, const T1* t1) {
-  if (fs::is_directory(path)) {
-    const auto folder = fs::absolute(path / "").lexically_normal().parent_path();
-    const FileSet files = FileSet::below(nibsDataSetOf(folder), folder, true);
-    if (const auto markers = nibsMarkers(files); !markers.empty()) return readNibsSet(files, markers);
-  }
+  if (fs::is_directory(path))
+    if (auto file = readNibsBelow(fs::absolute(path / "").lexically_normal().parent_path())) return *file;
   const FileSet files(path);
   if (const auto markers = nibsMarkers(files); !markers.empty()) return readNibsSet(files, markers);
   if (isNavinibsSession(files)) return readNavinibsSession(files);

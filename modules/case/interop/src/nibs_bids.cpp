@@ -138,8 +138,7 @@ class RunReader {
       file_.items.push_back(item);
     }
     if (trains > 0)
-      file_.notes.push_back(
-          formatted("%d of the events are trains: each comes in as one pulse at its start", trains));
+      file_.notes.push_back(formatted("%d pulses stand for a train each, and come in at its start", trains));
   }
 
  private:

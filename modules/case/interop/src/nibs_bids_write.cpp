@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -139,17 +140,20 @@ Tables tablesOf(const std::vector<const Item*>& targets, const std::vector<const
   int number = 0;
   for (const auto* target : targets)
     tables.markers += markerRow(formatted("target-%d", ++number), *target, false);
+  const bool has_clock =
+      std::any_of(pulses.begin(), pulses.end(), [](const Item* p) { return p->clock_s.has_value(); });
+  const auto secondsOf = [&](const Item& pulse) { return has_clock ? pulse.clock_s : pulse.onset_s; };
   std::optional<double> first_s;
   for (const auto* pulse : pulses)
-    if (pulse->clock_s && (!first_s || *pulse->clock_s < *first_s)) first_s = pulse->clock_s;
+    if (const auto time_s = secondsOf(*pulse); time_s && (!first_s || *time_s < *first_s)) first_s = time_s;
   std::set<std::string> kinds;
   number = 0;
   for (const auto* pulse : pulses) {
     const std::string of_pulse = formatted("pulse-%d", ++number), id = pulse->mri_T_coil ? of_pulse : "n/a";
     if (pulse->mri_T_coil) tables.markers += markerRow(id, *pulse, true);
     const std::string kind = kindOf(pulse->intensity_pct);
-    std::optional<double> onset_s = pulse->onset_s;
-    if (pulse->clock_s) onset_s = *pulse->clock_s - *first_s;
+    std::optional<double> onset_s = secondsOf(*pulse);
+    if (onset_s) *onset_s -= *first_s;
     tables.without_time += !onset_s;
     tables.events +=
         line({numberCell(onset_s, "%.3f"), "0", kind, id, numberCell(pulse->mep_uv, "%.9g"),

@@ -42,6 +42,7 @@ Item itemOf(const casefile::ReviewedPulse& reviewed, const std::string& session)
   item.mri_T_coil = pulse.mri_T_coil();
   if (!item.mri_T_coil) item.reason = pulse.reason;
   item.clock_s = secondsOfUtc(pulse.utc);
+  item.onset_s = pulse.t_s;
   item.intensity_pct = pulse.intensity_pct;
   item.mep_uv = pulse.mep_uv;
   item.values["status"] = toString(pulse.status);

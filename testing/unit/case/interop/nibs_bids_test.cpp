@@ -162,7 +162,7 @@ TEST_F(NibsBids, TwoCoilsOfOneEventAreTwoPulsesWithTheirStrengths) {
   EXPECT_EQ(itemNamed(file, "pulse 2").target, "Vertex");
   EXPECT_EQ(apart(file, truth()).compared, 4 + 11)
       << "a train's places stay targets; pulses of no event, too";
-  EXPECT_THAT(file.notes, Contains(HasSubstr("2 of the events are trains")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("2 pulses stand for a train each")));
 }
 
 TEST_F(NibsBids, SeveralPeopleAreNotMixed) {
@@ -245,6 +245,29 @@ TEST_F(NibsBids, AWrittenSetComesBackWithoutAQuestionAndHoldsNoDates) {
   EXPECT_EQ(pulses[0].intensity_pct, 61.5);
   EXPECT_EQ(pulses[0].mep_uv, 412.25);
   EXPECT_EQ(pulses[0].target, "Vertex");
+}
+
+TEST_F(NibsBids, PulsesWithoutADateKeepTheirTimesSinceTheFirst) {
+  Order order = orderOf(madeHead().t1);
+  double onset_s = 12.5;
+  for (auto& item : order.items) {
+    item.clock_s.reset();
+    if (item.kind == Kind::pulse) item.onset_s = onset_s++;
+  }
+  const auto written = writtenFormat("nibs-bids").write_folder(order);
+  EXPECT_THAT(written.files.at("sub-P017/nibs/sub-P017_task-tms_run-01_events.tsv"),
+              HasSubstr("\n1.000\t0\ttms-61.5\tn/a"));
+}
+
+TEST_F(NibsBids, ADataSetBelowTheChosenFolderIsFoundAndTwoAreNotMixed) {
+  for (const auto& [suffix, content] : files_) write("a/b/sub-01/nibs/" + (kStem + suffix), content);
+  write("a/b/dataset_description.json", "{}");
+  write("a/b/sub-01/anat/sub-01_T1w.nii.gz", readWholeFile(made("t1_lpi.nii.gz")));
+  EXPECT_EQ(readOther(folder_.path() / "a", nullptr).intended_t1,
+            folder_.path() / "a/b/sub-01/anat/sub-01_T1w.nii.gz");
+  write("a/c/dataset_description.json", "{}");
+  write("a/c/sub-01/nibs/sub-01_task-rest_markers.tsv", files_["markers.tsv"]);
+  EXPECT_THAT(refusalOf([&] { readOther(folder_.path() / "a", nullptr); }), HasSubstr("several data sets"));
 }
 
 TEST_F(NibsBids, EveryColumnIsDescribedAndEveryIdLeadsSomewhere) {
