@@ -131,8 +131,7 @@ WorldChange byHeadFrame(const std::optional<HeadFrame>& frame, const CaseHead& h
   if (!frame)
     change.refusal =
         "its frame is that of nasion and ears, and the file does not say where its x points: give "
-        "--head-frame "
-        "x-nasion or --head-frame x-right";
+        "--head-frame x-nasion or --head-frame x-right";
   else if (!head.points)
     change.refusal = kNoLandmarks;
   if (!change.refusal.empty()) return change;

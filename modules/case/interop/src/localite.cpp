@@ -122,6 +122,7 @@ void addTriggerMarkers(const pugi::xml_node& root, const Source& source, OtherFi
     if (start_s && after_ms) {
       const double clock_s = *start_s + *after_ms / 1000.0;
       if (saved_s) item.clock_s = clock_s;
+      item.onset_s = *after_ms / 1000.0;
       item.time = (saved_s ? dateOf(clock_s) + " " : "") + timeOf(clock_s);
     }
     file.items.push_back(item);

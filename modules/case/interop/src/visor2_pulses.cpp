@@ -46,6 +46,20 @@ Item itemOf(const Columns& columns, const std::vector<std::string>& cells) {
   return item;
 }
 
+/// Times of day become seconds since the first pulse of the session: the list has no date.
+void setOnsets(OtherFile& file) {
+  std::map<std::string, double> first_s;
+  for (auto& item : file.items) {
+    if (item.clock_s) continue;
+    item.onset_s = clockOf("1970-01-01", item.time);
+    if (!item.onset_s) continue;
+    const auto found = first_s.emplace(item.session, *item.onset_s).first;
+    found->second = std::min(found->second, *item.onset_s);
+  }
+  for (auto& item : file.items)
+    if (item.onset_s) *item.onset_s -= first_s[item.session];
+}
+
 /// Sets the space by the words of the rows that have a place.
 void setSpace(const std::string& words, OtherFile& file) {
   file.space_words = words;
@@ -93,6 +107,7 @@ OtherFile readVisor2Pulses(const Source& source) {
                  "export one coordinate system");
     file.items.push_back(std::move(item));
   }
+  setOnsets(file);
   return file;
 }
 

@@ -172,6 +172,7 @@ TEST(Visor2Pulses, TheFrameIsAskedAndPulsesWithoutAPoseStay) {
   EXPECT_EQ(other.items[1].kind, Kind::pulse);
   EXPECT_FALSE(other.items[1].mri_place);
   EXPECT_EQ(other.items[1].intensity_pct, 55);
+  EXPECT_NEAR(*other.items[1].onset_s, 5.0, 1e-6) << "since the first pulse";
   EXPECT_THAT(other.notes, Contains(HasSubstr("no residual can be stated")));
 }
 
