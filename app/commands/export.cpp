@@ -21,7 +21,7 @@ constexpr const char* kHome = "home";
 struct ExportRequest {
   std::filesystem::path case_folder, output;
   std::vector<std::string> formats, targets;
-  std::string session;
+  std::string session, subject;
   bool replace = false;
   HomeExportRequest home;
 };
@@ -60,8 +60,8 @@ void exportHome(Context& context, const casefile::CaseStore& store, ExportReques
 void exportOther(const Context& context, const casefile::CaseStore& store, const ExportRequest& request) {
   if (request.formats.size() > 1)
     throw WrongUsage("one format of another program at a time", "name one with --as");
-  const auto exported = steps::exportOther(
-      store, {request.formats.front(), request.targets, request.session, request.output, request.replace});
+  const auto exported = steps::exportOther(store, {request.formats.front(), request.targets, request.session,
+                                                   request.output, request.replace, request.subject});
   if (context.is_quiet) return;
   for (const auto& note : exported.notes) std::printf("note: %s\n", note.c_str());
   if (isStandardOutput(exported.path)) return;
@@ -100,6 +100,9 @@ void addOptions(CLI::App& verb, ExportRequest& request, const Context& context) 
       ->allow_extra_args(false);
   verb.add_option("--session", request.session,
                   "for another program: the pulses of this session; default: of all, if the file holds both");
+  verb.add_option("--subject", request.subject,
+                  "of nibs-bids: the person's label in the data set, letters and digits; default: the case's "
+                  "label if it is a code, else its random id");
   verb.add_option(
       "--coil", request.home.coil.words,
       "of home: the expert's coil, its name in the library or its coil.json; default: by its name");
@@ -114,10 +117,14 @@ void requireUsedOptions(const CLI::App& verb, const ExportRequest& request, bool
     if (!is_used && verb.get_option(option)->count() > 0)
       throw WrongUsage(option + " does nothing here", remedy);
   };
+  if (is_other && request.formats.front() == "nibs-bids" && request.output.empty())
+    throw CLI::RequiredError("--output");
   if (is_home && request.formats.size() > 1)
     throw WrongUsage("'home' is one file, not files in a folder", "export it alone");
   for (const char* of_home : {"--coil", "--by"}) refuse(of_home, is_home, "give it with --as home");
   refuse("--target", is_home || is_other, "give it with --as home or the format of another program");
+  const bool is_set = is_other && request.formats.front() == "nibs-bids";
+  refuse("--subject", is_set, "give it with --as nibs-bids");
   refuse("--session", is_other, "give it with the format of another program");
 }
 

@@ -121,10 +121,10 @@ void addImport(CLI::App& app, Context& context) {
   auto request = std::make_shared<ImportRequest>();
   verb->add_option("CASE", request->case_folder, "case folder to add to; of a file for home: to make")
       ->required();
-  verb->add_option(
-          "FILE", request->file,
-          "file of another program, known by its content; or of 'facenav export --as home', or the one "
-          "sent back")
+  verb->add_option("FILE", request->file,
+                   "file or session folder of another program, known by its content; or of 'facenav export "
+                   "--as home', or the one "
+                   "sent back")
       ->required();
   verb->add_flag("--json", request->is_json, "JSON");
   addImportOtherOptions(*verb, request->other);

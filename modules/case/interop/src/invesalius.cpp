@@ -136,10 +136,7 @@ Item itemOf(const Columns& columns, const std::vector<std::string>& cells, const
   item.pose =
       toFaceNav(poseOfColumns(place, theirs.col(0), theirs.col(1), theirs.col(2)), CoilAxes::invesalius);
   item.mep_uv = valueIn(text("mep_value"));
-  if (const std::string time = text("timestamp"); time.size() >= 19) {
-    item.time = time.substr(0, 10) + " " + time.substr(11);
-    item.clock_s = clockOf(time.substr(0, 10), time.substr(11, 8));
-  }
+  setTime(text("timestamp"), item);
   return item;
 }
 
@@ -147,7 +144,7 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"') result += '"';
-    result += c == '\t' || c == '\n' ? ' ' : c;
+    result += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
   }
   return result + "\"";
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
+#include <map>
 
 #include "facenav/casefile/landmarks_file.h"
 #include "facenav/core/error.h"
@@ -28,7 +28,7 @@ constexpr double kSameImage = 0.95;  // least correlation of an image with a cop
 constexpr std::size_t kSkinPoints = 4000;  // of the skin, to judge poses by: some mm apart
 
 std::string originOf(const OtherImport& order, const interop::OtherFile& file) {
-  return order.file.filename().string() + " (" + file.words + ")";
+  return nameOf(order) + " (" + file.words + ")";
 }
 
 bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>& pose) {
@@ -36,10 +36,12 @@ bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>&
   return error.translation_mm < kSame_mm && error.rotation_rad * kDegPerRad < kSame_deg;
 }
 
-/// A name that no other item of the file has: the second "M1" becomes "M1 (2)".
-void makeNameSingle(Item& item, std::set<std::string>& names) {
+/// A name that no other item of the file has: the second "M1" becomes "M1 (2)". `names`: those in use, and
+/// how often each was met.
+void makeNameSingle(Item& item, std::map<std::string, int>& names) {
   const std::string name = item.name;
-  for (int count = 2; !names.insert(item.name).second; ++count) item.name = name + formatted(" (%d)", count);
+  while (names.count(item.name) > 0) item.name = name + formatted(" (%d)", ++names[name]);
+  names[item.name] = 1;
   if (item.name != name) item.notes.push_back("the file has the name '" + name + "' twice");
 }
 
@@ -75,7 +77,7 @@ PreviewedItem judged(const Item& item, const guidance::TreatmentPlan& plan, bool
     previewed.reason = item.refusal;
   } else if (item.kind == Kind::target) {
     judgeTarget(previewed, plan, replaces);
-  } else if (item.kind == Kind::pulse && !item.mri_place) {
+  } else if (item.kind == Kind::pulse) {
     previewed.fate = ItemFate::added;
     if (!item.mri_T_coil) previewed.reason = item.reason;
   } else {
@@ -139,8 +141,22 @@ guidance::TreatmentPlan planWith(const casefile::CaseStore& store, const OtherIm
   return plan;
 }
 
+/// The T1 that a data set names and holds. Some sets hold an empty file in its place.
+std::optional<interop::T1> intendedT1(interop::OtherFile& file) {
+  if (file.intended_t1.empty()) return std::nullopt;
+  try {
+    return interop::readT1(file.intended_t1);
+  } catch (const Error& error) {
+    file.notes.push_back("its T1 '" + file.image_words +
+                         "' cannot be compared with the case's: " + error.what());
+    return std::nullopt;
+  }
+}
+
 void noteClock(const OtherImport& order, ImportPreview& preview) {
+  const auto has_clock = [](const PreviewedItem& item) { return item.item.clock_s.has_value(); };
   if (preview.pulses() == 0 || preview.file.is_clock_utc) return;
+  if (std::none_of(preview.items.begin(), preview.items.end(), has_clock)) return;
   preview.file.notes.push_back(
       formatted("the times of its pulses name no zone: taken as UTC%+g (--utc-offset)", order.utc_offset_h));
 }
@@ -207,12 +223,13 @@ ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport&
   const auto head = caseHead(store);
   std::optional<interop::T1> file_t1;
   if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
-  if (file_t1) requireSameImage(store, *file_t1, head.t1);
   ImportPreview preview;
   preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
+  if (!file_t1) file_t1 = intendedT1(preview.file);
+  if (file_t1) requireSameImage(store, *file_t1, head.t1);
   interop::check(preview.file, head, order.answers, file_t1);
   const auto plan = store.targets();
-  std::set<std::string> names;
+  std::map<std::string, int> names;
   for (auto& item : preview.file.items) {
     if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
     preview.items.push_back(judged(item, plan, order.replaces));

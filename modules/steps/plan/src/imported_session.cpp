@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/pulse_file.h"
@@ -64,12 +65,14 @@ casefile::Pulse pulseOf(const interop::Item& item, int number, double start_s, c
                         const ImportPreview& preview, const guidance::TreatmentPlan& plan) {
   casefile::Pulse pulse;
   pulse.number = number;
-  pulse.source = preview.file.format + ": " + order.file.filename().string();
+  pulse.source = preview.file.format + ": " + nameOf(order);
   pulse.reason = item.reason.empty() ? "no pose" : item.reason;
   if (item.clock_s) {
     const double utc_s = *item.clock_s - aheadOf(order, preview);
     pulse.utc = isoOf(utc_s);
     pulse.steady_s = pulse.t_s.emplace(utc_s - start_s);
+  } else if (item.onset_s) {
+    pulse.steady_s = pulse.t_s.emplace(*item.onset_s);
   }
   if (const auto* target = find(plan, item.target)) {
     pulse.target = *target;
@@ -82,19 +85,25 @@ casefile::Pulse pulseOf(const interop::Item& item, int number, double start_s, c
   return pulse;
 }
 
-bool wasImported(const fs::path& folder, const std::string& sha256) {
-  try {
-    return JsonReader::readFile(folder / kImported).at("sha256").text() == sha256;
-  } catch (const Error&) {
-    return false;  // another session, made here
+/// True if the case has this session of this file.
+bool wasImported(const casefile::CaseStore& store, const std::string& name, const std::string& sha256) {
+  for (const auto& folder : casefile::sessionFolders(store.folder())) {
+    if (!fs::exists(folder / kImported)) continue;
+    try {
+      const auto origin = JsonReader::readFile(folder / kImported);
+      if (origin.at("sha256").text() == sha256 && origin.at("session").text() == name) return true;
+    } catch (const Error&) {
+      // Damaged: the session counts as another one.
+    }
   }
+  return false;
 }
 
 void writeOrigin(const fs::path& folder, const OtherImport& order, const ImportPreview& preview,
                  const std::string& session, const std::string& sha256) {
   const nlohmann::ordered_json json{{"format", "facenav imported session"},
                                     {"version", 1},
-                                    {"file", order.file.filename().string()},
+                                    {"file", nameOf(order)},
                                     {"from", preview.file.words},
                                     {"session", session},
                                     {"sha256", sha256},
@@ -113,15 +122,16 @@ void writeEvents(const fs::path& folder, const OtherImport& order, const ImportP
     lines += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   };
   add(first_utc, "session started", "");
-  add(first_utc, "imported", order.file.filename().string() + " (" + preview.file.words + ")");
+  add(first_utc, "imported", nameOf(order) + " (" + preview.file.words + ")");
   add(last_utc, "session ended", "");
   writeWholeFile(folder / "events.jsonl", lines);
 }
 
 std::optional<NewSession> newSession(const casefile::CaseStore& store, const OtherImport& order,
                                      const ImportPreview& preview, const guidance::TreatmentPlan& plan,
-                                     const std::string& name, const Pulses& pulses,
-                                     const std::string& sha256) {
+                                     const std::string& name, const Pulses& pulses, const std::string& sha256,
+                                     std::set<fs::path>& taken) {
+  if (wasImported(store, name, sha256)) return std::nullopt;
   std::optional<double> first_s, last_s;
   for (const auto* pulse : pulses) {
     if (!pulse->clock_s) continue;
@@ -135,8 +145,7 @@ std::optional<NewSession> newSession(const casefile::CaseStore& store, const Oth
   NewSession made;
   for (int count = 1;; ++count) {
     made.folder = sessions / (folderNameOf(first_utc) + (count == 1 ? "" : "_" + std::to_string(count)));
-    if (!fs::exists(made.folder)) break;
-    if (wasImported(made.folder, sha256)) return std::nullopt;
+    if (!fs::exists(made.folder) && taken.insert(made.folder).second) break;
   }
   if (!fs::exists(sessions)) makePrivateFolder(sessions);
   made.whole = std::make_unique<WholeFolder>(made.folder, FileAccess::owner_only);
@@ -149,7 +158,19 @@ std::optional<NewSession> newSession(const casefile::CaseStore& store, const Oth
   return made;
 }
 
+/// Hash of the file, or of the files that were read of a folder.
+std::string hashOf(const OtherImport& order, const ImportPreview& preview) {
+  if (!fs::is_directory(order.file)) return casefile::sha256OfFile(order.file);
+  std::string hashes;
+  for (const auto& part : preview.file.parts) hashes += casefile::sha256OfFile(part);
+  return casefile::sha256OfText(hashes);
+}
+
 }  // namespace
+
+std::string nameOf(const OtherImport& order) {
+  return fs::absolute(order.file / "").lexically_normal().parent_path().filename().string();
+}
 
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
                                     const ImportPreview& preview, const guidance::TreatmentPlan& plan) {
@@ -159,9 +180,10 @@ std::vector<NewSession> newSessions(const casefile::CaseStore& store, const Othe
       by_session[item.session].push_back(&item);
   std::vector<NewSession> made;
   if (by_session.empty()) return made;
-  const std::string sha256 = casefile::sha256OfFile(order.file);
+  const std::string sha256 = hashOf(order, preview);
+  std::set<fs::path> taken;
   for (const auto& [name, pulses] : by_session)
-    if (auto session = newSession(store, order, preview, plan, name, pulses, sha256))
+    if (auto session = newSession(store, order, preview, plan, name, pulses, sha256, taken))
       made.push_back(std::move(*session));
   return made;
 }

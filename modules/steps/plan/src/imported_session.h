@@ -17,6 +17,9 @@ struct NewSession {
   int pulses = 0;
 };
 
+/// Name of the imported file or folder, without the folders above it.
+std::string nameOf(const OtherImport& order);
+
 /// Writes a session for each session of the file. Throws Error; nothing is visible before the folders are
 /// committed. A session that was imported before from the same file is left out.
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
