@@ -161,15 +161,12 @@ TEST_F(Review, TheReportIsAlsoAPdf) {
   EXPECT_EQ(fs::status(pdf).permissions() & fs::perms::mask, fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(Review, AReportForTheArchiveNeedsTheFilesOfThePatient) {
+TEST_F(Review, ASessionOrAPatientThatIsNotThereIsOneLineOfError) {
   const std::string report = "report '" + case_.string() + "' --no-pictures ";
   const auto unnamed = run(report + "--dicom '" + (folder_.path() / "a.dcm").string() + "'");
   EXPECT_EQ(unnamed.status, 2);
   EXPECT_THAT(unnamed.errors, HasSubstr("give their folder with --source"));
   EXPECT_EQ(run(report + "--source '" + folder_.path().string() + "'").status, 2);
-}
-
-TEST_F(Review, ASessionThatIsNotThereIsOneLineOfError) {
   const auto missing = run("pulses '" + case_.string() + "' 19990101T000000Z");
   EXPECT_EQ(missing.status, 1);
   EXPECT_EQ(std::count(missing.errors.begin(), missing.errors.end(), '\n'), 1) << missing.errors;
