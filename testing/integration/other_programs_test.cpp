@@ -7,6 +7,7 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/dicom/series.h"
 #include "facenav/geometry/pose_error.h"
 #include "facenav/volume/nifti.h"
 #include "support/ball_case.h"
@@ -218,6 +219,29 @@ TEST_F(OtherPrograms, ExportsAreForTheUserAloneAndReplaceNothingUnasked) {
   EXPECT_EQ(exportAs("csv stl", at("t")).status, 2);
   EXPECT_EQ(runFacenav("export " + quoted(full_.folder()) + " --as stl").status, 2)
       << "surfaces need a folder";
+}
+
+TEST_F(OtherPrograms, ThePlanGoesToTheArchiveAsASeriesOfTheSamePatient) {
+  dicom::writeSeries(ballWithBrain().mri, at("dicom"), {});
+  const std::string source = " --source " + quoted(at("dicom")), target = " --target 'M1 hand L'";
+  const auto unnamed = exportAs("dicom-mr", at("plan"), target);
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_THAT(unnamed.errors, HasSubstr("give their folder with --source"));
+  EXPECT_EQ(exportAs("stl", at("plan"), source).status, 2);
+  const auto several = exportAs("dicom-mr", at("plan"), source);
+  EXPECT_EQ(several.status, 1);
+  EXPECT_THAT(several.errors, HasSubstr("has 2 targets"));
+  const auto written = exportAs("dicom-mr", at("plan"), source + target);
+  ASSERT_EQ(written.status, 0) << written.errors;
+  EXPECT_THAT(written.output, HasSubstr("50 images"));
+  EXPECT_EQ(exportAs("dicom-mr", at("plan"), source + target).status, 1) << "nothing is replaced unasked";
+  EXPECT_EQ(exportAs("dicom-seg", at("plan.dcm"), source + target + " --target '左 DLPFC'").status, 0);
+  EXPECT_EQ(exportAs("dicom-seg", at("plan.dcm"), source + target).status, 1);
+  const auto listed = Json::parse(runFacenav("series " + quoted(at("plan")) + " --json --patients").output);
+  ASSERT_EQ(listed.size(), 1u);
+  EXPECT_THAT(listed[0].dump(), HasSubstr("FaceNav, not for diagnosis: M1 hand L"));
+  EXPECT_THAT(listed[0].dump(), HasSubstr("marks are drawn into its voxels"));
+  EXPECT_EQ(runFacenav("prepare " + quoted(at("plan")) + " -o " + quoted(at("again"))).status, 1);
 }
 
 TEST_F(OtherPrograms, DamagedFilesAreOneLine) {

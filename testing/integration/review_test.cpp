@@ -8,6 +8,7 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
+#include "facenav/dicom/series.h"
 #include "facenav/session/treatment_log.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
@@ -143,16 +144,29 @@ TEST_F(Review, TheReportIsAlsoAPdf) {
   if (!fs::exists(fs::path(FACENAV_CLI).parent_path() / "facenav-gui"))
     GTEST_SKIP() << "built without the window";
   const fs::path page = folder_.path() / "page.html", pdf = folder_.path() / "page.pdf";
-  const auto made = run("report '" + case_.string() + "' --pdf --no-pictures -o '" + page.string() + "'");
+  const fs::path object = folder_.path() / "page.dcm", source = folder_.path() / "dicom";
+  dicom::writeSeries(ballCase().mri, source, {});
+  const auto made = run("report '" + case_.string() + "' --pdf --no-pictures -o '" + page.string() +
+                        "' --dicom '" + object.string() + "' --source '" + source.string() + "'");
   ASSERT_EQ(made.status, 0) << made.errors;
   const std::string content = readText(pdf);
   EXPECT_EQ(content.substr(0, 5), "%PDF-");
   EXPECT_GT(content.size(), 20000u) << "with its charts";
   EXPECT_THAT(content, Not(HasSubstr("Jane")));
+  const std::string wrapped = readText(object);
+  EXPECT_NE(wrapped.find(content), std::string::npos) << "the PDF byte for byte";
+  EXPECT_NE(wrapped.find("Virtual^Patient"), std::string::npos) << "the patient of the source";
+  EXPECT_EQ(fs::status(object).permissions() & fs::perms::mask,
+            fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(fs::status(pdf).permissions() & fs::perms::mask, fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(Review, ASessionThatIsNotThereIsOneLineOfError) {
+TEST_F(Review, ASessionOrAPatientThatIsNotThereIsOneLineOfError) {
+  const std::string report = "report '" + case_.string() + "' --no-pictures ";
+  const auto unnamed = run(report + "--dicom '" + (folder_.path() / "a.dcm").string() + "'");
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_THAT(unnamed.errors, HasSubstr("give their folder with --source"));
+  EXPECT_EQ(run(report + "--source '" + folder_.path().string() + "'").status, 2);
   const auto missing = run("pulses '" + case_.string() + "' 19990101T000000Z");
   EXPECT_EQ(missing.status, 1);
   EXPECT_EQ(std::count(missing.errors.begin(), missing.errors.end(), '\n'), 1) << missing.errors;
