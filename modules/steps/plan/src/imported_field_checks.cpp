@@ -181,7 +181,7 @@ std::vector<std::string> checkedAgainst(const casefile::CaseStore& store, const 
 
 std::vector<std::string> poseNotes(const guidance::Target& target, const fs::path& file) {
   const auto beside = poseBeside(file);
-  if (!beside) return {"no coil position lies beside the file: the pose is taken to be the target's"};
+  if (!beside) return {"no file beside it tells the coil's pose: it is taken to be the target's"};
   const auto pose = interop::soundPose(*beside, nullptr);
   const auto error = poseError(pose, target.mri_T_target.reframe<Mri, Coil>());
   const double deg = error.rotation_rad * kDegPerRad;

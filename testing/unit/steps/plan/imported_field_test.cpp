@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "facenav/core/whole_file.h"
 #include "facenav/guidance/handle.h"
@@ -75,6 +76,21 @@ class ImportedFieldTest : public ::testing::Test {
            << axis.y() << ", " << axis.z() << "};\n";
     }
     file << "};\n";
+  }
+
+  /// Balls at the coil's centre and along its y and z axes, as SimNIBS draws a coil of a sampled field.
+  static std::string ballsOf(const CoilPose& pose) {
+    std::ostringstream text;
+    text << "View\"coil_directions\"{\n";
+    const auto put = [&](const Eigen::Vector3d& at_coil_mm) {
+      const Eigen::Vector3d p = (pose * Point<frames::Coil>(at_coil_mm)).mm;
+      text << "SP(" << p.x() << ", " << p.y() << ", " << p.z() << "){0};\n";
+    };
+    put({0, 0, 0});
+    for (int i = 1; i < 10; ++i) put({0, double(i), 0});
+    for (int i = 1; i < 30; ++i) put({0, 0, double(i)});
+    text << "};\n";
+    return text.str();
   }
 
   testing::TemporaryFolder folder_;
@@ -215,12 +231,17 @@ TEST_F(ImportedFieldTest, ThePoseBesideTheFileIsCompared) {
   const auto path = mesh({}, "sim_TMS_1-0001_coil_scalar.msh");
   const std::string beside = "sim_TMS_1-0001_coil_coil_pos.geo";
   const auto notes = [&] { return previewField(store_, orderOf(path)).notes; };
-  EXPECT_THAT(notes(), Contains(HasSubstr("no coil position lies beside")));
+  EXPECT_THAT(notes(), Contains(HasSubstr("no file beside it tells the coil's pose")));
   writePose(beside, coilPoseOf(top_));
   EXPECT_THAT(notes(), Contains(HasSubstr("stood 0.0 mm and 0.0 degrees off the target's pose")));
   using Step = RigidTransform<frames::Coil, frames::Coil>;
   writePose(beside, coilPoseOf(top_) * Step(Eigen::Quaterniond::Identity(), {0, 0, -4}));
   EXPECT_THAT(notes(), Contains(HasSubstr("stood 4.0 mm and 0.0 degrees")));
+  std::ofstream(folder_.path() / beside) << ballsOf(coilPoseOf(top_));
+  EXPECT_THAT(notes(), Contains(HasSubstr("stood 0.0 mm and 0.0 degrees"))) << "balls along y and z";
+  std::ofstream(folder_.path() / beside)
+      << "View\"dipoles\"{\nVP(1, 2, 3){0, 0, 1};\nVP(2, 2, 3){0, 0, 1};\n};\n";
+  EXPECT_THAT(notes(), Contains(HasSubstr("no file beside it tells"))) << "dipoles tell no pose";
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
   writePose(beside, coilPoseOf(top_) * Step(turn, {0, 0, 0}));
   EXPECT_THAT(refusalOf([&] { notes(); }), HasSubstr("another pose"));
