@@ -101,17 +101,17 @@ class ImportedFieldTest : public ::testing::Test {
 TEST_F(ImportedFieldTest, EveryLayoutOfSimnibsGivesTheSameField) {
   testing::FieldMeshLayout layout;
   for (const bool is_binary : {true, false})
-    for (const bool ends_lines : {true, false})
-      for (const int first_id : {1, 500}) {
-        layout.is_binary = is_binary, layout.ends_lines = ends_lines, layout.first_id = first_id;
-        const auto field = previewField(store_, orderOf(mesh(layout)));
-        EXPECT_NEAR(field.peak, fieldAt({0, 0, 70}).norm(), 1e-6);
-        EXPECT_GT(field.percentile_99_9, 0.7 * field.peak);
-        EXPECT_LT(field.percentile_99_9, field.peak);
-        EXPECT_TRUE(field.has_directions);
-        EXPECT_TRUE(field.fills_brain);
-        EXPECT_THAT(field.words, HasSubstr("of its scalp within"));
-      }
+    for (const bool ends_lines : {true, false}) {
+      layout.is_binary = is_binary, layout.ends_lines = ends_lines;
+      layout.first_id = is_binary == ends_lines ? 500 : 1;
+      const auto field = previewField(store_, orderOf(mesh(layout)));
+      EXPECT_NEAR(field.peak, fieldAt({0, 0, 70}).norm(), 1e-6);
+      EXPECT_GT(field.percentile_99_9, 0.7 * field.peak);
+      EXPECT_LT(field.percentile_99_9, field.peak);
+      EXPECT_TRUE(field.has_directions);
+      EXPECT_TRUE(field.fills_brain);
+      EXPECT_THAT(field.words, HasSubstr("of its scalp within"));
+    }
   EXPECT_FALSE(std::filesystem::exists(store_.folder() / "imported_fields.json"))
       << "a preview writes nothing";
 }
