@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
+#include <QSettings>
 #include <QTableView>
 #include <QTableWidget>
 #include <algorithm>
@@ -16,10 +17,13 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/efield/coil_file.h"
 #include "facenav/home/home_case.h"
 #include "facenav/scene/display.h"
+#include "facenav/treat/mep_by_field.h"
 #include "gui_fixtures.h"
 #include "pdf_text.h"
+#include "review/field_map_presenter.h"
 #include "review/pulse_table.h"
 #include "review/review_workspace.h"
 #include "review/sessions_panel.h"
@@ -83,6 +87,32 @@ TEST_F(ReviewTest, TheNewestSessionIsShownWithThePulsesOfItsFile) {
   }
   ASSERT_TRUE(review.session()->map);
   EXPECT_NEAR(review.session()->map->centre_of_gravity.mm.norm(), 40, 3) << "on the brain";
+}
+
+TEST_F(ReviewTest, TheMapByFieldSaysWhatTheCommandSaysAndFollowsTheSession) {
+  QSettings().clear();
+  ReviewPresenter review(model_);
+  FieldMapPresenter map(review, model_);
+  review.refresh();
+  waitForSession(review);
+  EXPECT_EQ(map.words().toStdString(), "") << "off at first";
+  map.setOn(true);
+  EXPECT_THAT(map.words().toStdString(), HasSubstr("computing"));
+  ASSERT_TRUE(fixtures::waitFor([&] { return map.shown() != nullptr; })) << map.words().toStdString();
+  const steps::PoseFields fields(std::make_shared<const steps::ReadHead>(model_.current().store),
+                                 efield::fieldCoil("figure8-70").dipoles);
+  const auto known = steps::mepByField(fields, casefile::readSessionPulses(second_));
+  for (const auto& line : steps::inWords(known, "figure8-70"))
+    EXPECT_THAT(map.words().toStdString(), HasSubstr(line));
+  EXPECT_EQ(map.shown()->r2.size(), review.session()->brain->mesh.vertices_mm.size());
+  std::vector<int> numbers;
+  for (int number = 1; number <= 30; ++number) numbers.push_back(number);
+  review.exclude(numbers, "patient moved", "AB");
+  EXPECT_TRUE(fixtures::waitFor([&] { return map.words().contains("too few"); }))
+      << map.words().toStdString();
+  EXPECT_EQ(map.shown(), nullptr) << "nothing of the old pulses";
+  map.setOn(false);
+  EXPECT_EQ(map.words().toStdString(), "");
 }
 
 TEST_F(ReviewTest, ExclusionsNeedAReasonAreWrittenAndCanBeUndone) {

@@ -83,6 +83,10 @@ class TreatPresenter : public QObject {
   bool isPaused() const { return isRunning() && treatment_->isPaused(); }
   /// True while a person is guided: a session runs and is not paused.
   bool isGuiding() const { return isRunning() && !treatment_->isPaused(); }
+  /// The session's states to wait for on another thread while a person is guided; null: nobody is.
+  std::shared_ptr<const LatestValue<session::NavigationState>> guidedStates() const {
+    return isGuiding() ? treatment_->session().states() : nullptr;
+  }
   /// "PAUSED: coil too warm", or empty.
   QString pauseWords() const;
   /// Length of the pause under way, s.

@@ -318,7 +318,9 @@ void TreatWorkspace::showEvent(QShowEvent*) {
 
 /// Keeps updating the second screens while another page is shown.
 void TreatWorkspace::hideEvent(QHideEvent*) {
-  if (!screens_->areShown()) timer_.stop();
+  if (screens_->areShown()) return;
+  timer_.stop();
+  field_.rest();
 }
 
 }  // namespace facenav::ui

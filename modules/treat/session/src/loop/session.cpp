@@ -5,7 +5,6 @@
 #include <mutex>
 #include <thread>
 
-#include "facenav/core/latest_value.h"
 #include "facenav/core/log.h"
 
 namespace facenav::session {
@@ -24,7 +23,7 @@ struct Session::Implementation {
   SessionOptions options;
   std::unique_ptr<Recorder> recorder;
   LatestValue<ArrivedFrame> frames;
-  LatestValue<NavigationState> states;
+  std::shared_ptr<LatestValue<NavigationState>> states = std::make_shared<LatestValue<NavigationState>>();
   std::atomic<bool> is_stopping{false}, has_ended{false}, is_source_empty{false};
   mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
@@ -67,12 +66,12 @@ void Session::Implementation::publishFailure() {
   takeListener();
   std::lock_guard lock(mutex);
   if (failure.empty()) return;
-  const auto last = states.latest();
+  const auto last = states->latest();
   NavigationState state = last ? *last : NavigationState{};
   state.failure = failure;
   state.arrived = Timestamp::now();
   const auto last_state = std::make_shared<NavigationState>(blanked(state, LostReason::camera));
-  states.publish(last_state);
+  states->publish(last_state);
   if (listener) listener(*last_state);
 }
 
@@ -150,7 +149,7 @@ void Session::Implementation::track() {
     state->latency_ms = (Timestamp::now() - next->arrived) * 1e3;
     state->dropped = frames.dropped();
     if (listener) listener(*state);
-    states.publish(std::move(state));
+    states->publish(std::move(state));
   }
 }
 
@@ -181,7 +180,7 @@ void Session::start() {
     s.requestStop();  // a fault in tracking also ends the capture
     s.publishFailure();
     s.noteEnd();
-    s.states.close();
+    s.states->close();
   });
 }
 
@@ -194,7 +193,7 @@ void Session::stop() {
 }
 
 std::shared_ptr<const NavigationState> Session::latest() const {
-  auto state = implementation_->states.latest();
+  auto state = implementation_->states->latest();
   if (!state) return std::make_shared<NavigationState>(blanked({}, LostReason::stale));
   // Factor on the age limit for pictures that arrive late, from a queue. Allows for a camera's usual delay,
   // below 0.1 s.
@@ -207,7 +206,11 @@ std::shared_ptr<const NavigationState> Session::latest() const {
 }
 
 std::shared_ptr<const NavigationState> Session::take(std::chrono::milliseconds timeout) {
-  return implementation_->states.take(timeout);
+  return implementation_->states->take(timeout);
+}
+
+std::shared_ptr<const LatestValue<NavigationState>> Session::states() const {
+  return implementation_->states;
 }
 
 bool Session::hasEnded() const { return implementation_->has_ended; }

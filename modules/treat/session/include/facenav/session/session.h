@@ -11,6 +11,7 @@
 
 #include "facenav/capture/frame_source.h"
 #include "facenav/core/field.h"
+#include "facenav/core/latest_value.h"
 #include "facenav/session/navigator.h"
 #include "facenav/session/recorder.h"
 
@@ -49,6 +50,8 @@ class Session {
   std::shared_ptr<const NavigationState> latest() const;
   /// Waits for a state that was not taken before; null on time-out or at the end. Not blanked.
   std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
+  /// The states as they are published, not blanked, for another thread to wait for. They outlive the session.
+  std::shared_ptr<const LatestValue<NavigationState>> states() const;
   /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
   bool hasEnded() const;
   /// Reason why it ended; a later stop does not change it.
