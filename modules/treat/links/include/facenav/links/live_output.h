@@ -71,6 +71,7 @@ class LiveOutput {
 ///   igtl[:[ADDRESS:]PORT]   an OpenIGTLink server (default: 127.0.0.1, port 18944; port 0: any free one)
 ///   osc:[HOST:]PORT         OSC bundles over UDP (default: to 127.0.0.1)
 ///   json:[HOST:]PORT        one line of JSON a datagram over UDP (default: to 127.0.0.1)
+///   lsl[:STREAM]            an LSL stream of markers, pulses and changes of the state (default: FaceNav)
 /// `content` may be empty. Throws Error for other words, or a port that is in use.
 std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {});
 /// Throws Error unless openLiveOutput would understand the words.
