@@ -11,6 +11,7 @@
 #include "facenav/session/treatment_log.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/made_xdf.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::testing {
@@ -125,6 +126,26 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
     EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 2) << wrong;
   for (const char* absent : {"99=350", "2=-4"})
     EXPECT_EQ(run(pulses + "--set-mep " + absent).status, 1) << absent;
+}
+
+TEST_F(Review, MepsAreMeasuredFromARecordingOfLsl) {
+  const std::string pulses = "pulses '" + case_.string() + "' ";
+  const auto session = casefile::readSessionPulses(session_);
+  const double first_s = *session.pulses[0].pulse.t_s, sixth_s = *session.pulses[5].pulse.t_s;
+  const fs::path xdf = folder_.path() / "emg.xdf";
+  std::ofstream(xdf, std::ios::binary) << twoPulsesXdf(first_s + 60, sixth_s + 60);
+  const std::string mep = pulses + "--mep '" + xdf.string() + "' ";
+  const auto other = run(mep + "--markers Other --offset -60");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_EQ(std::count(other.errors.begin(), other.errors.end(), '\n'), 1) << other.errors;
+  EXPECT_EQ(run(mep + "--emg-unit inch").status, 2);
+  const auto taken = run(mep + "--emg Amplifier:FDI --markers Pulses:T --offset -60");
+  EXPECT_EQ(taken.status, 0) << taken.errors;
+  EXPECT_THAT(taken.output, HasSubstr("2 MEPs from emg.xdf"));
+  EXPECT_THAT(taken.errors, HasSubstr("15 to 50 ms after the 2 markers"));
+  EXPECT_EQ(casefile::readSessionPulses(session_).pulses[5].pulse.mep_uv, 120);
+  std::ofstream(xdf, std::ios::binary) << "XDF:broken";
+  EXPECT_EQ(run(mep).status, 1);
 }
 
 TEST_F(Review, TwoSessionsAreComparedByTheirMeanCoilPose) {
