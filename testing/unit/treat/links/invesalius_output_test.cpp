@@ -10,7 +10,6 @@
 namespace facenav::links {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::SmallRelay;
 using Json = nlohmann::json;
 
@@ -66,7 +65,11 @@ TEST(InvesaliusOutput, ARobotsWordsAreShownAndItsConnectionGetsTheTargetAnew) {
       R"(42["to_neuronavigation",{"topic":"Robot to Neuronavigation: Robot connection status","data":{"data":"Connected"}}])");
   ASSERT_TRUE(comesWith(
       *output, [] { return guidedFrame(); }, [&] { return relay.data(kTargetTopic).size() == 2; }));
-  EXPECT_THAT(firstReceiver(*output), HasSubstr("robot: Connected"));
+  relay.say(
+      R"(42["to_neuronavigation",{"topic":"Robot to Neuronavigation: Update robot warning","data":{"robot_warning":"too far"}}])");
+  EXPECT_TRUE(comesWithin(2, [&] {
+    return firstReceiver(*output) == "connected, robot: Connected, robot warns: too far";
+  })) << firstReceiver(*output);
   output->publish(guidedFrame(false));
   EXPECT_TRUE(comesWithin(2, [&] { return relay.data(kNoTargetTopic).size() == 1; }));
   relay.say("2");

@@ -9,8 +9,8 @@ namespace {
 
 constexpr const char *kOurEvent = "from_neuronavigation", *kTheirEvent = "to_neuronavigation";
 constexpr double kLeastBetween_s = 0.035;  // 25 frames a second of 50 or 60: robots read no faster
-constexpr double kLeastBetweenLines_s = 0.2;
-constexpr double kSameTarget = 1e-3;  // mm, and in the rotation
+constexpr int kMostLines = 5;              // a second, in the log
+constexpr double kSameTarget = 1e-3;       // mm, and in the rotation
 constexpr int kLeave_ms = 200;
 
 }  // namespace
@@ -43,16 +43,22 @@ void InvesaliusOutput::hear() {
     sent_at_.s = -1e9;
     if (!place_.robot.empty() && !std::exchange(has_asked_robot_, true)) put(connectToRobot(place_.robot));
   }
+  if (!relay_.isJoined()) said_.clear();  // what a robot said then may not be so any more
   while (const auto packet = relay_.next()) {
     if (packet->event != kTheirEvent) continue;
     if (saysConnected(packet->body)) sent_target_.reset();  // a robot has no target until it is connected
     const std::string words = robotWords(packet->body);
-    const Timestamp now = Timestamp::now();
-    if (words.empty() || words == said_ || now - heard_at_ < kLeastBetweenLines_s) continue;
-    said_ = words;
-    heard_at_ = now;
-    logInfo(name() + ": " + words);
+    if (words.empty()) continue;
+    std::string& said = said_[packet->body["topic"].get<std::string>()];
+    if (said != words) log(said = words);
   }
+}
+
+/// Logs a line, at most some a second: a robot may say anything.
+void InvesaliusOutput::log(const std::string& words) {
+  const Timestamp now = Timestamp::now();
+  if (now - second_began_ > 1) second_began_ = now, lines_ = 0;
+  if (++lines_ <= kMostLines) logInfo(name() + ": " + words);
 }
 
 /// A frame in which something is lost or found again is due at once.
@@ -103,7 +109,8 @@ void InvesaliusOutput::finish(const LiveFrame& frame) {
 }
 
 void InvesaliusOutput::tell() {
-  const std::string words = relay_.words() + (said_.empty() ? "" : ", " + said_);
+  std::string words = relay_.words();
+  for (const auto& [topic, said] : said_) words += ", " + said;
   if (words == told_) return;
   told_ = words;
   setReceivers({words});

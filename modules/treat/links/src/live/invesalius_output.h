@@ -3,6 +3,8 @@
 // of robots and simulations behind it. It is a client: it connects, and connects again. What a robot says is
 // kept as lines. It asks the robot's program to connect to a robot only with an address of one.
 
+#include <map>
+
 #include "relay_connection.h"
 #include "relay_messages.h"
 #include "threaded_output.h"
@@ -29,6 +31,7 @@ class InvesaliusOutput : public ThreadedOutput {
   void sendTarget(const LiveFrame& frame);
   bool isDue(const LiveFrame& frame) const;
   void put(const RelayMessage& message);
+  void log(const std::string& words);
   void tell();
 
   RelayPlace place_;
@@ -37,8 +40,10 @@ class InvesaliusOutput : public ThreadedOutput {
   bool has_asked_robot_ = false;
   std::optional<Eigen::Isometry3d> sent_target_;  // in Head
   nlohmann::json sent_visible_;
-  Timestamp sent_at_{-1e9}, heard_at_{-1e9};
-  std::string told_, said_;
+  Timestamp sent_at_{-1e9}, second_began_{-1e9};
+  int lines_ = 0;                            // logged in that second
+  std::map<std::string, std::string> said_;  // by the robot: the newest line of each topic
+  std::string told_;
 };
 
 }  // namespace facenav::links
