@@ -258,7 +258,7 @@ TEST_F(TreatPresenterTest, PosesAreServedWhileTheSwitchIsOn) {
   EXPECT_TRUE(client.nextPose("CoilToTarget"));
   const QString server = "igtl:" + QString::number(port), others = "json:9, osc:9";
   ASSERT_TRUE(treat_.sendTo(server + " " + others));
-  EXPECT_EQ(treat_.sendsTo(), QStringList({server, "json:9", "osc:9"}));
+  EXPECT_EQ(treat_.sendsTo(), (QStringList{server, "json:9", "osc:9"}));
   EXPECT_TRUE(client.nextPose("CoilToTarget")) << "what was open stays open";
   EXPECT_TRUE(treat_.setOtherOutputs(others));
   EXPECT_FALSE(treat_.setOtherOutputs("json:9, osc:nowhere"));

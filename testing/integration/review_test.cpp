@@ -131,19 +131,21 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
 TEST_F(Review, MepsAreMeasuredFromARecordingOfLsl) {
   const std::string pulses = "pulses '" + case_.string() + "' ";
   const auto session = casefile::readSessionPulses(session_);
-  const double first_s = *session.pulses[0].pulse.t_s, sixth_s = *session.pulses[5].pulse.t_s;
+  // 20 ms apart: 0.19 s before the first and after the twelfth, only one is within 0.2 s.
+  const double first_s = *session.pulses[0].pulse.t_s - 0.19, last_s = *session.pulses[11].pulse.t_s + 0.19;
   const fs::path xdf = folder_.path() / "emg.xdf";
-  std::ofstream(xdf, std::ios::binary) << twoPulsesXdf(first_s + 60, sixth_s + 60);
+  std::ofstream(xdf, std::ios::binary) << twoPulsesXdf(first_s + 60, last_s + 60);
   const std::string mep = pulses + "--mep '" + xdf.string() + "' ";
-  const auto other = run(mep + "--markers Other --offset -60");
+  const auto other = run(mep + "--markers Other --offset=-60");
   EXPECT_EQ(other.status, 1);
   EXPECT_EQ(std::count(other.errors.begin(), other.errors.end(), '\n'), 1) << other.errors;
   EXPECT_EQ(run(mep + "--emg-unit inch").status, 2);
-  const auto taken = run(mep + "--emg Amplifier:FDI --markers Pulses:T --offset -60");
+  const auto taken = run(mep + "--emg Amplifier:FDI --markers Pulses:T --offset=-60");
   EXPECT_EQ(taken.status, 0) << taken.errors;
   EXPECT_THAT(taken.output, HasSubstr("2 MEPs from emg.xdf"));
   EXPECT_THAT(taken.errors, HasSubstr("15 to 50 ms after the 2 markers"));
-  EXPECT_EQ(casefile::readSessionPulses(session_).pulses[5].pulse.mep_uv, 120);
+  for (const std::size_t pulse : {0, 11})
+    EXPECT_EQ(casefile::readSessionPulses(session_).pulses[pulse].pulse.mep_uv, 120);
   std::ofstream(xdf, std::ios::binary) << "XDF:broken";
   EXPECT_EQ(run(mep).status, 1);
 }

@@ -10,8 +10,8 @@
 namespace facenav::links {
 namespace {
 
-constexpr std::int32_t kKept_s = 360;  // liblsl's default
-constexpr double kOldestEvent_s = 1.0;   // an older time comes from a wall clock that was set
+constexpr std::int32_t kKept_s = 360;   // liblsl's default
+constexpr double kOldestEvent_s = 1.0;  // an older time comes from a wall clock that was set
 constexpr double kIrregular_hz = 0.0;
 
 /// The frame's time on the monotonic clock; now where its wall clock was set meanwhile.
