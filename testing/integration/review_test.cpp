@@ -104,7 +104,7 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_THAT(readText(session_ / "report.html"), HasSubstr("Jane Doe"));
 }
 
-TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
+TEST_F(Review, MepsByTimeTypedOrMeasuredAreKeptAndRefusedWhereTheyCannotBe) {
   const std::string pulses = "pulses '" + case_.string() + "' ";
   const fs::path csv = folder_.path() / "emg.csv";
   {
@@ -126,10 +126,8 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
     EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 2) << wrong;
   for (const char* absent : {"99=350", "2=-4"})
     EXPECT_EQ(run(pulses + "--set-mep " + absent).status, 1) << absent;
-}
 
-TEST_F(Review, MepsAreMeasuredFromARecordingOfLsl) {
-  const std::string pulses = "pulses '" + case_.string() + "' ";
+  // Measured from a recording of LSL streams.
   const auto session = casefile::readSessionPulses(session_);
   // 20 ms apart: 0.19 s before the first and after the twelfth, only one is within 0.2 s.
   const double first_s = *session.pulses[0].pulse.t_s - 0.19, last_s = *session.pulses[11].pulse.t_s + 0.19;
