@@ -27,7 +27,7 @@ packages=(
   xvfb xauth mricron-data fonts-dejavu-core
 )
 check_packages=(clang-tidy git)
-test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk dicom3tools libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel)
+test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk dicom3tools libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel python3-socketio python3-aiohttp)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }

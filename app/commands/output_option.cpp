@@ -12,9 +12,11 @@ void addSendOptions(CLI::App& verb, OutputChoice& choice) {
                   "address of this computer that the OpenIGTLink server listens on; 0.0.0.0: all of them. "
                   "Everyone who reaches it can read poses, MRI and surfaces")
       ->capture_default_str();
-  verb.add_option("--send", choice.send,
-                  "also sends poses, state and pulses: osc:[HOST:]PORT or json:[HOST:]PORT (UDP); may be "
-                  "repeated")
+  verb.add_option(
+          "--send", choice.send,
+          "also sends poses, state and pulses: osc:[HOST:]PORT or json:[HOST:]PORT (UDP), lsl[:STREAM] "
+          "(markers), invesalius:[HOST:]PORT[:robot=ADDRESS] (its relay; asks to connect to a robot "
+          "only with an address); may be repeated")
       ->allow_extra_args(false)
       ->check(understoodBy(links::requireLiveOutput));
 }

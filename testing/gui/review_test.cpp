@@ -30,6 +30,7 @@
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
 #include "support/made_session.h"
+#include "support/made_xdf.h"
 
 namespace facenav::ui {
 namespace {
@@ -206,6 +207,26 @@ TEST_F(ReviewTest, MepsAreImportedByTimeAndTheOffsetIsSaid) {
       fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
   EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
   EXPECT_THAT(said.toStdString(), HasSubstr("clock offset -3.000 s (given: 2 of 2 rows fit)"));
+}
+
+TEST_F(ReviewTest, MepsAreMeasuredFromARecordingAndWhatWasTakenIsSaid) {
+  ReviewPresenter review(model_);
+  QString said, refused;
+  QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
+  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
+  review.choose(QString::fromStdString(first_.filename().string()));
+  waitForSession(review);
+  const auto path = folder_.path() / "emg.xdf";
+  std::ofstream(path, std::ios::binary) << testing::twoPulsesXdf(50.14 + 3.0, 50.44 + 3.0);
+  const auto file = QString::fromStdString(path.string());
+  review.importMeps(file, -3.0, "; Other");
+  EXPECT_THAT(refused.toStdString(), HasSubstr("no such markers: Pulses"));
+  review.importMeps(file, -3.0);
+  ASSERT_TRUE(
+      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
+  EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
+  EXPECT_THAT(said.toStdString(), HasSubstr("2 of 2 rows fit"));
+  EXPECT_THAT(said.toStdString(), HasSubstr("EMG 'Amplifier', channel 1"));
 }
 
 TEST_F(ReviewTest, AFileThatCameBackFromHomeIsAddedShownAndMarked) {

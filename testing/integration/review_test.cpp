@@ -12,6 +12,7 @@
 #include "facenav/session/treatment_log.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/made_xdf.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::testing {
@@ -104,7 +105,7 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_THAT(readText(session_ / "report.html"), HasSubstr("Jane Doe"));
 }
 
-TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
+TEST_F(Review, MepsByTimeTypedOrMeasuredAreKeptAndRefusedWhereTheyCannotBe) {
   const std::string pulses = "pulses '" + case_.string() + "' ";
   const fs::path csv = folder_.path() / "emg.csv";
   {
@@ -126,6 +127,26 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
     EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 2) << wrong;
   for (const char* absent : {"99=350", "2=-4"})
     EXPECT_EQ(run(pulses + "--set-mep " + absent).status, 1) << absent;
+
+  // Measured from a recording of LSL streams.
+  const auto session = casefile::readSessionPulses(session_);
+  // 20 ms apart: 0.19 s before the first and after the twelfth, only one is within 0.2 s.
+  const double first_s = *session.pulses[0].pulse.t_s - 0.19, last_s = *session.pulses[11].pulse.t_s + 0.19;
+  const fs::path xdf = folder_.path() / "emg.xdf";
+  std::ofstream(xdf, std::ios::binary) << twoPulsesXdf(first_s + 60, last_s + 60);
+  const std::string mep = pulses + "--mep '" + xdf.string() + "' ";
+  const auto other = run(mep + "--markers Other --offset=-60");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_EQ(std::count(other.errors.begin(), other.errors.end(), '\n'), 1) << other.errors;
+  EXPECT_EQ(run(mep + "--emg-unit inch").status, 2);
+  const auto taken = run(mep + "--emg Amplifier:FDI --markers Pulses:T --offset=-60");
+  EXPECT_EQ(taken.status, 0) << taken.errors;
+  EXPECT_THAT(taken.output, HasSubstr("2 MEPs from emg.xdf"));
+  EXPECT_THAT(taken.errors, HasSubstr("15 to 50 ms after the 2 markers"));
+  for (const std::size_t pulse : {0, 11})
+    EXPECT_EQ(casefile::readSessionPulses(session_).pulses[pulse].pulse.mep_uv, 120);
+  std::ofstream(xdf, std::ios::binary) << "XDF:broken";
+  EXPECT_EQ(run(mep).status, 1);
 }
 
 TEST_F(Review, TwoSessionsAreComparedByTheirMeanCoilPose) {

@@ -1,5 +1,6 @@
 #pragma once
-// OutputsRow: switches the OpenIGTLink server for other programs on and off, and lists who is connected.
+// OutputsRow: switches the OpenIGTLink server and other outputs (OSC, JSON, LSL, InVesalius's relay) on and
+// off, and lists who is connected and what a robot says.
 
 #include <QTimer>
 #include <QWidget>
@@ -7,6 +8,7 @@
 #include "treat/treat_presenter.h"
 
 class QCheckBox;
+class QLineEdit;
 
 namespace facenav::ui {
 
@@ -19,10 +21,14 @@ class OutputsRow : public QWidget {
   explicit OutputsRow(TreatPresenter& treat, QWidget* parent = nullptr);
 
  private:
+  QWidget* makeServer();
+  QWidget* makeOthers();
+  void send();
   void showState();
 
   TreatPresenter& treat_;
-  QCheckBox* serve_;
+  QCheckBox *serve_, *send_;
+  QLineEdit* others_;
   ElidedLabel* receivers_;
   QTimer timer_;
 };

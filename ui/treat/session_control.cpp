@@ -10,6 +10,17 @@
 #include "treat/treat_presenter.h"
 
 namespace facenav::ui {
+namespace {
+
+/// Outputs in a text with blanks or commas between them, each once.
+QStringList outputsIn(QString words) {
+  QStringList outputs = words.replace(',', ' ').simplified().split(' ', Qt::SkipEmptyParts);
+  outputs.removeDuplicates();
+  return outputs;
+}
+
+}  // namespace
+
 void TreatPresenter::listen() {
   if (pulse_source_.isEmpty() || !isRunning()) return;
   if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
@@ -33,15 +44,37 @@ bool TreatPresenter::setPulseSource(const QString& words) {
 
 bool TreatPresenter::sendTo(const QString& words) {
   bool is_opened = true;
+  const QStringList wanted = outputsIn(words), open = sendsTo();
+  for (const auto& each : open)
+    if (!wanted.contains(each)) outputs_->close(each.toStdString());
   try {
-    outputs_->close();
-    if (!words.isEmpty()) outputs_->open(words.toStdString());
+    for (const auto& each : wanted)
+      if (!open.contains(each)) outputs_->open(each.toStdString());
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     is_opened = false;
   }
   emit changed();
   return is_opened;
+}
+
+QStringList TreatPresenter::sendsTo() const {
+  QStringList names;
+  for (const auto& each : outputs_->names()) names << QString::fromStdString(each);
+  return names;
+}
+
+QString TreatPresenter::otherOutputs() const { return QSettings().value(kOtherOutputs).toString(); }
+
+bool TreatPresenter::setOtherOutputs(const QString& words) {
+  try {
+    for (const auto& each : outputsIn(words)) links::requireLiveOutput(each.toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+  QSettings().setValue(kOtherOutputs, words.trimmed());
+  return true;
 }
 
 QStringList TreatPresenter::receivers() const {

@@ -103,10 +103,17 @@ class TreatPresenter : public QObject {
   /// Remembered, and used at once by a running session. Returns false, after refused(), if it is invalid.
   bool setPulseSource(const QString& words);
   QString pulseSource() const { return pulse_source_; }
-  /// Sends the poses of this session and the next ones as links::openLiveOutput reads it; empty: nowhere.
-  /// Not remembered. Returns false, after refused(), if the output cannot be opened.
+  /// Sends the poses of this session and the next ones to outputs as links::openLiveOutput reads them, with
+  /// blanks or commas between them; empty: nowhere. Those that are open stay so. Not remembered. Returns
+  /// false, after refused(), if one cannot be opened.
   bool sendTo(const QString& words);
   bool isSending() const { return !outputs_->isEmpty(); }
+  /// The open outputs, by their words.
+  QStringList sendsTo() const;
+  /// Outputs to offer beside the server, in the same words. Remembered; switched off at each start.
+  QString otherOutputs() const;
+  /// Returns false, after refused(), if they are not understood.
+  bool setOtherOutputs(const QString& words);
   /// Who is connected, one line each.
   QStringList receivers() const;
   /// Logs an event of the running session, or of this window's last one. Returns false if there is none.
@@ -220,6 +227,7 @@ class TreatPresenter : public QObject {
   void listen();
   void endSession(const std::string& why, std::function<void()> then = {});
   static constexpr const char* kPulseSource = "treat/pulses";  // in the settings
+  static constexpr const char* kOtherOutputs = "treat/outputs";
   std::optional<session::ChosenTarget> chosen() const;
 
   const Services& services_;

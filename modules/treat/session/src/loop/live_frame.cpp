@@ -62,6 +62,7 @@ links::LiveFrame liveFrameOf(const NavigationState& state) {
                                    : lost("SubjectToTracker", state.head.reason()));
   frame.poses.push_back(state.camera_T_coil ? found("Coil1ToTracker", state.camera_T_coil->isometry())
                                             : lost("Coil1ToTracker", state.camera_T_coil.reason()));
+  if (state.chosen) frame.mri_T_target = state.chosen->target.mri_T_target.isometry();
   if (state.is_aligned) addAligned(state, frame.poses);
   if (const auto& values = state.guidance.values)
     frame.guidance = links::LiveGuidance{values->distance_mm, values->lateral_mm, values->depth_mm,

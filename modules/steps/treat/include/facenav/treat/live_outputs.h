@@ -1,6 +1,7 @@
 #pragma once
-// LiveOutputs: the outputs of a session (OpenIGTLink, OSC, JSON), opened and closed by their words at any
-// time. It outlives sessions, so that clients stay connected between them. All functions are thread-safe.
+// LiveOutputs: the outputs of a session (OpenIGTLink, OSC, JSON, LSL, InVesalius), opened and closed by their
+// words at any time. It outlives sessions, so that clients stay connected between them. All functions are
+// thread-safe.
 
 #include <filesystem>
 #include <memory>
@@ -39,6 +40,7 @@ class LiveOutputs {
 
   mutable std::mutex mutex_;
   std::filesystem::path case_folder_;
+  std::shared_ptr<const interop::InvesaliusSpace> image_;  // of the case's MRI
   Outputs outputs_;  // last: until they end, their threads may ask for content of the case
 };
 

@@ -47,7 +47,8 @@ class KeyboardSource : public PulseSource {
 ///   udp:[ADDRESS:]PORT, tcp:[ADDRESS:]PORT    JSON objects with "pulse": true, one a datagram or line
 ///   serial:DEVICE[:BAUD]                      each byte is a pulse (9600 baud)
 ///   serial:DEVICE:cts, serial:DEVICE:dsr      each rising edge of that line
-///   lsl[:STREAM]                              each sample of an LSL marker stream (default: any stream)
+///   lsl[:STREAM[:MARKER]]                     each sample of an LSL marker stream (default: any stream but
+///                                             FaceNav's own), or each one with this text
 ///   sound[:DEVICE]                            each click of the coil on an ALSA input (sound:hw:1,0;
 ///                                             default: "default")
 ///   sound:FILE.wav                            each click of the coil in a file, delivered in real time
