@@ -32,7 +32,7 @@ QString aboutAsHtml() {
                  "<br>" + buildInWords().toHtmlEscaped() + "</p><p>" +
                  QObject::tr(
                      "Licence: <a href='LICENSE.md'>Apache-2.0</a>. Not a medical device: for research "
-                     "and development.") +
+                     "and development. <a href='safety.md'>Safety</a>, <a href='privacy.md'>privacy</a>.") +
                  "</p><h2>" + QObject::tr("Parts that others made") + "</h2><table cellpadding='3'>";
   for (const LicensedPart& part : licensedParts())
     html += "<tr>" + cell(part.name) + cell(upstreamVersion(part.version)) + cell(part.licence) +
