@@ -21,6 +21,9 @@ const std::set<std::string> kPersonal{"label",  "by",     "name",   "case_id",
                                       "serial", "target", "muscle", "operator"};
 const std::set<std::string> kPersonalEvents{"operator", "target", "coil", "muscle", "stimulator", "override"};
 
+/// Files whose names are those of landmarks and of topics.
+const std::set<std::string> kWithoutNames{"landmarks.json", "navigation_check.json"};
+
 void addSecretsIn(const Json& json, Scrubber& scrubber) {
   if (json.is_array())
     for (const Json& element : json) addSecretsIn(element, scrubber);
@@ -103,7 +106,7 @@ void addSecretsBelow(const fs::path& folder, Scrubber& scrubber) {
   for (fs::recursive_directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
     const auto extension = at->path().extension();
     if ((extension != ".json" && extension != ".jsonl") || !at->is_regular_file(fault)) continue;
-    if (at->file_size(fault) > kLargestText) continue;
+    if (at->file_size(fault) > kLargestText || kWithoutNames.count(at->path().filename().string())) continue;
     std::ifstream stream(at->path());
     if (extension == ".json") {
       addSecretsIn(Json::parse(stream, nullptr, false), scrubber);

@@ -39,6 +39,17 @@ std::vector<std::string> wordsOf(const std::string& text) {
   return words;
 }
 
+const std::string kInPlace = "[name]";
+
+/// True if a short text stands within a longer word, as "over" in "overlay". A long one is a name there, too.
+bool isPartOfAWord(const std::string& text, std::size_t at, std::size_t length) {
+  constexpr std::size_t kShort = 5;
+  const auto isLetter = [&](std::size_t i) {
+    return i < text.size() && isOfWord(static_cast<unsigned char>(text[i]));
+  };
+  return length <= kShort && ((at > 0 && isLetter(at - 1)) || isLetter(at + length));
+}
+
 /// Replaces what stands between quotes, which a person may have typed. A command of facenav stays.
 std::string withoutQuoted(const std::string& line) {
   static const std::regex kQuoted(R"((^|[\s(\[=:,])(['"])(?!\.?/?facenav[ .'"-])[^'"\n]*\2)");
@@ -106,8 +117,11 @@ std::string Scrubber::withoutSecrets(const std::string& text) const {
   std::string out = text;
   for (const std::string& secret : longest_first)
     for (std::size_t at = lower(out).find(secret); at != std::string::npos;
-         at = lower(out).find(secret, at + 6))
-      out.replace(at, secret.size(), "[name]");
+         at = lower(out).find(secret, at + 1)) {
+      if (isPartOfAWord(out, at, secret.size())) continue;
+      out.replace(at, secret.size(), kInPlace);
+      at += kInPlace.size() - 1;
+    }
   return out;
 }
 

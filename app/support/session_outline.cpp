@@ -1,5 +1,6 @@
 #include "support/session_outline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -28,15 +29,16 @@ const std::set<std::string> kNamed{
     "coil focus",      "other coil",        "alignment",   "protocol",   "override",      "pause",
     "resume",          "pause length",      "face found",  "coil found", "tip check",     "pulse source",
     "pulse pictures",  "threshold",         "pain before", "pain after", "adverse event", "operator",
-    "muscle",          "stimulator",        "at home"};
+    "muscle",          "stimulator",        "at home",     "pulse"};
 
 Json eventsOf(const casefile::KeptSession& session, const Scrubber& scrubber) {
   Json list = Json::array();
   std::optional<double> start_s;
+  for (const auto& event : session.events)
+    if (const auto time_s = secondsOfUtc(event.utc)) start_s = std::min(start_s.value_or(*time_s), *time_s);
   for (const auto& event : session.events) {
     if (list.size() == kMostEvents) break;
     const auto time_s = secondsOfUtc(event.utc);
-    if (!start_s) start_s = time_s;
     const bool is_worded = kWorded.count(event.event) > 0;
     Json entry{{"event", is_worded || kNamed.count(event.event) ? event.event : "[other]"}};
     if (time_s && start_s) entry["t_s"] = std::round(10 * (*time_s - *start_s)) / 10;
