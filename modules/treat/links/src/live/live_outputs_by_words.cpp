@@ -45,11 +45,12 @@ std::string liveOutputWords() { return "igtl[:[ADDRESS:]PORT], osc:[HOST:]PORT, 
 
 void requireLiveOutput(const std::string& words) { outputFrom(words); }
 
-std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content) {
+std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content,
+                                           const LiveIncoming& incoming) {
   const auto output = outputFrom(words);
   if (output.kind == "igtl")
     return std::make_unique<IgtlServer>(words, IgtlPlaceToListen{output.host, output.port},
-                                        std::move(content));
+                                        std::move(content), incoming);
   const auto format = output.kind == "osc" ? DatagramFormat::osc : DatagramFormat::json;
   return std::make_unique<DatagramOutput>(words, format, PlaceToSend{output.host, output.port});
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/links/live_order.h"
 #include "facenav/links/pulse_trigger.h"
 
 namespace facenav::links {
@@ -21,6 +22,7 @@ struct LivePose {
   std::string name;
   std::optional<Eigen::Isometry3d> pose;  // nothing: lost
   std::string status = "OK";              // a lost pose: "MISSING", "OUT_OF_VIEW", "INVALID"
+  std::string coil = {};                  // name of the coil whose pose it is; empty: the head's
 };
 
 /// Distance of the coil from its target.
@@ -71,8 +73,10 @@ class LiveOutput {
 ///   igtl[:[ADDRESS:]PORT]   an OpenIGTLink server (default: 127.0.0.1, port 18944; port 0: any free one)
 ///   osc:[HOST:]PORT         OSC bundles over UDP (default: to 127.0.0.1)
 ///   json:[HOST:]PORT        one line of JSON a datagram over UDP (default: to 127.0.0.1)
-/// `content` may be empty. Throws Error for other words, or a port that is in use.
-std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {});
+/// `content` may be empty. `incoming`: what an OpenIGTLink server takes from its clients; by default nothing.
+/// Throws Error for other words, or a port that is in use.
+std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {},
+                                           const LiveIncoming& incoming = {});
 /// Throws Error unless openLiveOutput would understand the words.
 void requireLiveOutput(const std::string& words);
 /// Lists the words, for help texts.
