@@ -145,7 +145,7 @@ std::string coilLossInWords(const NavigationState& state) {
 
 std::string secondCoilLossInWords(const NavigationState& state) {
   if (!state.second || state.second->coil) return {};
-  return coilWords(state.second->coil.reason(), false);
+  return coilWords(state.second->coil.reason(), state.is_head_served);  // then both coils are
 }
 
 std::vector<std::string> lossTitles(const NavigationState& state) {
