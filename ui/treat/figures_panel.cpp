@@ -55,7 +55,11 @@ QString fitted(const ReadOut& read_out, const QFont& font, const QSize& room) {
 }  // namespace
 
 FiguresPanel::FiguresPanel(QWidget* parent)
-    : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)), gap_(new QLabel(this)) {
+    : QFrame(parent),
+      banner_(new QLabel(this)),
+      predicted_(new QLabel(this)),
+      gap_(new QLabel(this)),
+      second_(new QLabel(this)) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
   banner_->setObjectName("banner");
@@ -93,10 +97,16 @@ FiguresPanel::FiguresPanel(QWidget* parent)
       tr("error of the alignment at the target: 95 of 100 such alignments keep within it"));
   gap_->setObjectName("gap_words");
   gap_->setAlignment(Qt::AlignCenter);
+  second_->setObjectName("second_coil_words");
+  second_->setAlignment(Qt::AlignCenter);
+  second_->setWordWrap(true);
+  second_->setToolTip(tr("the second coil against its own target; it is the faint coil in the scene"));
+  second_->hide();
   below_->setSpacing(0);
   below_->addWidget(gap_);
   below_->addWidget(predicted_);
   column->addLayout(below_);
+  column->addWidget(second_);
 }
 
 void FiguresPanel::place() {
@@ -165,6 +175,8 @@ void FiguresPanel::set(const ReadOut& read_out) {
   predicted_->setText(read_out.predicted);
   gap_->setText(read_out.gap);
   gap_->setToolTip(read_out.gap_tip);
+  second_->setText(read_out.second);
+  second_->setVisible(!read_out.second.isEmpty());
   setDoubtful(read_out.gap_disagrees);
 }
 

@@ -42,7 +42,7 @@ class FiguresPanel : public QFrame {
   int needed_px_ = 0;
   ReadOut read_out_;
   QString fitted_;  // inputs for which the banner's letters were fitted
-  QLabel *predicted_, *gap_;
+  QLabel *predicted_, *gap_, *second_;
 };
 
 }  // namespace facenav::ui

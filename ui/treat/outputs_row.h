@@ -1,5 +1,6 @@
 #pragma once
-// OutputsRow: switches the OpenIGTLink server for other programs on and off, and lists who is connected.
+// OutputsRow: switches the OpenIGTLink server for other programs on and off, lists who is connected, and
+// shows the newest line about what a client sent, if targets and commands are accepted.
 
 #include <QTimer>
 #include <QWidget>
@@ -19,11 +20,12 @@ class OutputsRow : public QWidget {
   explicit OutputsRow(TreatPresenter& treat, QWidget* parent = nullptr);
 
  private:
+  void serve();
   void showState();
 
   TreatPresenter& treat_;
-  QCheckBox* serve_;
-  ElidedLabel* receivers_;
+  QCheckBox *serve_, *accept_;
+  ElidedLabel *receivers_, *news_;
   QTimer timer_;
 };
 
