@@ -71,7 +71,10 @@ OrderNews LiveOrders::judge(const links::LiveOrder& order, Treatment& treatment,
   item.kind = order.pose ? interop::Kind::target : interop::Kind::landmark;
   item.name = order.name;
   item.where = order.from;
-  item.pose = order.pose;
+  if (order.pose && order.pose->isIdentity(1e-6))
+    item.reason = "it is the identity: nobody has placed it";
+  else
+    item.pose = order.pose;
   item.place_mm = order.place_mm;
   sent.items.push_back(item);
   offer.preview = previewItems(store, headOf(store), offer.origin, std::move(sent));

@@ -15,7 +15,7 @@ namespace {
 namespace fakes = session::fakes;
 using ::testing::HasSubstr;
 
-const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity(), {20, -60, 550});
+const RigidTransform<Camera, Marker> kOrderedCoil(Eigen::Quaterniond::Identity(), {20, -60, 550});
 
 class LiveOrdersTest : public ::testing::Test {
  protected:
@@ -31,11 +31,11 @@ class LiveOrdersTest : public ::testing::Test {
         [](const session::NavigatorSetup& setup) {
           return std::make_unique<session::Navigator>(
               setup, std::make_unique<fakes::Head>([](auto) { return RigidTransform<Camera, Head>(); }),
-              std::make_unique<fakes::Coil>(kMarker));
+              std::make_unique<fakes::Coil>(kOrderedCoil));
         },
         [] { return std::make_unique<fakes::Source>(3000, 0.01); }};
     treatment_ = std::make_unique<Treatment>(prepareTreatment(request, devices),
-                                             fakes::targetAt(kMarker.reframe<Camera, Coil>()));
+                                             fakes::targetAt(kOrderedCoil.reframe<Camera, Coil>()));
     while (treatment_->session().latest()->frame < 2)
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
