@@ -159,7 +159,7 @@ TEST(Simulate, ASecondCoilHasItsOwnMarkerFileAndTruth) {
   const Eigen::Matrix4d mri_T_coil = head.at(2).inverse().matrix() * coil.at(2).matrix() * marker_T_coil;
   EXPECT_LT((mri_T_coil - mri_T_target).cwiseAbs().maxCoeff(), 1e-4);
   EXPECT_GT(mri_T_target(0, 3), 0) << "on the right side; the first one is on the left";
-  EXPECT_NEAR(mri_T_target.topLeftCorner<3, 3>().determinant(), 1, 1e-6);
+  EXPECT_NEAR(Eigen::Matrix3d(mri_T_target.block(0, 0, 3, 3)).determinant(), 1, 1e-6);
 }
 
 TEST(Simulate, CancelledLeavesNothingBehind) {
