@@ -55,11 +55,7 @@ QString fitted(const ReadOut& read_out, const QFont& font, const QSize& room) {
 }  // namespace
 
 FiguresPanel::FiguresPanel(QWidget* parent)
-    : QFrame(parent),
-      banner_(new QLabel(this)),
-      predicted_(new QLabel(this)),
-      gap_(new QLabel(this)),
-      second_(new QLabel(this)) {
+    : QFrame(parent), banner_(new QLabel(this)), predicted_(new QLabel(this)), gap_(new QLabel(this)) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
   banner_->setObjectName("banner");
@@ -97,16 +93,10 @@ FiguresPanel::FiguresPanel(QWidget* parent)
       tr("error of the alignment at the target: 95 of 100 such alignments keep within it"));
   gap_->setObjectName("gap_words");
   gap_->setAlignment(Qt::AlignCenter);
-  second_->setObjectName("second_coil_words");
-  second_->setAlignment(Qt::AlignCenter);
-  second_->setWordWrap(true);
-  second_->setToolTip(tr("the second coil against its own target; it is the faint coil in the scene"));
-  second_->hide();
   below_->setSpacing(0);
   below_->addWidget(gap_);
   below_->addWidget(predicted_);
   column->addLayout(below_);
-  column->addWidget(second_);
 }
 
 void FiguresPanel::place() {
@@ -175,9 +165,22 @@ void FiguresPanel::set(const ReadOut& read_out) {
   predicted_->setText(read_out.predicted);
   gap_->setText(read_out.gap);
   gap_->setToolTip(read_out.gap_tip);
-  second_->setText(read_out.second);
-  second_->setVisible(!read_out.second.isEmpty());
+  showSecond(read_out.second);
   setDoubtful(read_out.gap_disagrees);
+}
+
+void FiguresPanel::showSecond(const QString& words) {
+  if (!second_ && words.isEmpty()) return;
+  if (!second_) {
+    second_ = new QLabel(this);
+    second_->setObjectName("second_coil_words");
+    second_->setAlignment(Qt::AlignCenter);
+    second_->setWordWrap(true);
+    second_->setToolTip(tr("the second coil against its own target; it is the faint coil in the scene"));
+    layout()->addWidget(second_);
+  }
+  second_->setText(words);
+  second_->setVisible(!words.isEmpty());
 }
 
 void FiguresPanel::setDoubtful(bool is_doubtful) {
