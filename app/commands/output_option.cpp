@@ -34,23 +34,31 @@ void addOutputOptions(CLI::App& verb, OutputChoice& choice) {
       ->check(understoodBy([](const std::string& port) {
         if (!port.empty()) links::requireLiveOutput("igtl:" + port);
       }));
+  verb.add_option(
+          "--accept", choice.accept,
+          "with --serve: takes from its clients targets (TRANSFORM or POINT named Target_*; they are "
+          "offered, never chosen), commands (start, stop, pulse), or targets,commands; default: nothing")
+      ->check(understoodBy([](const std::string& words) { links::incomingFrom(words); }));
   addSendOptions(verb, choice);
 }
 
 void requireNoOutputs(const OutputChoice& choice) {
-  if (choice.is_served || !choice.send.empty())
+  if (choice.is_served || !choice.send.empty() || !choice.accept.empty())
     throw WrongUsage("--serve and --send need a session, with --live or --pulses",
                      "to serve a recording: facenav serve RECORDING");
 }
 
-std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet) {
+std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet,
+                                                const links::LiveIncoming& incoming) {
+  if (!choice.accept.empty() && !choice.is_served)
+    throw WrongUsage("--accept is for a server", "give --serve, too");
   auto words = choice.send;
   if (choice.is_served)
     words.insert(words.begin(), "igtl:" + choice.address + ":" + std::to_string(choice.port));
   if (words.empty()) return nullptr;
   auto outputs = std::make_shared<steps::LiveOutputs>();
   for (const auto& each : words) {
-    outputs->open(each);
+    outputs->open(each, incoming);
     if (!is_quiet) std::fprintf(stderr, "sending to %s\n", each.c_str());
   }
   return outputs;

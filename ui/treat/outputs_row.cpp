@@ -26,10 +26,18 @@ OutputsRow::OutputsRow(TreatPresenter& treat, QWidget* parent) : QWidget(parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeServer());
+  news_ = new ElidedLabel(this);
+  news_->setObjectName("order_news");
+  news_->hide();
+  column->addWidget(news_);
   column->addWidget(makeOthers());
   connect(&treat_, &TreatPresenter::changed, this, &OutputsRow::showState);
-  connect(&timer_, &QTimer::timeout, this, &OutputsRow::showState);
-  timer_.start(1000);  // clients come and go by themselves
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    const QString news = treat_.obeyOrders();
+    if (!news.isEmpty()) news_->set(news);
+    showState();
+  });
+  timer_.start(250);  // clients come, go and send by themselves
   showState();
 }
 
@@ -42,11 +50,22 @@ QWidget* OutputsRow::makeServer() {
       tr("gives the poses of head and coil to programs on this computer (NaviNIBS, 3D Slicer) by "
          "OpenIGTLink, port %1")
           .arg(links::kIgtlPort));
+  accept_ = new QCheckBox(tr("take targets"), bar);
+  accept_->setObjectName("accept_orders");
+  accept_->setToolTip(
+      tr("takes from these programs targets (offered, never chosen) and the commands start, stop and pulse"));
   receivers_ = new ElidedLabel(bar);
   receivers_->setObjectName("receivers");
   row->addWidget(serve_);
+  row->addWidget(accept_);
   row->addWidget(receivers_, 1);
   connect(serve_, &QCheckBox::clicked, this, &OutputsRow::send);
+  connect(accept_, &QCheckBox::clicked, this, [this] {
+    if (!serve_->isChecked()) return;
+    treat_.sendTo(otherWords());  // the server opens anew with what it takes
+    serve_->setChecked(true);
+    send();
+  });
   return bar;
 }
 
@@ -72,10 +91,11 @@ QWidget* OutputsRow::makeOthers() {
   return bar;
 }
 
+QString OutputsRow::otherWords() const { return send_->isChecked() ? treat_.otherOutputs() : QString(); }
+
 void OutputsRow::send() {
-  QString words = serve_->isChecked() ? kServerWords : QString();
-  if (send_->isChecked()) words += " " + treat_.otherOutputs();
-  treat_.sendTo(words);
+  const QString server = serve_->isChecked() ? kServerWords : QString();
+  treat_.sendTo(server + " " + otherWords(), accept_->isChecked());
   showState();
 }
 
@@ -89,6 +109,8 @@ void OutputsRow::showState() {
                         : receivers.isEmpty() ? tr("nobody is connected")
                                               : receivers.join("; ");
   if (words != receivers_->text()) receivers_->set(words);
+  accept_->setVisible(serve_->isChecked());
+  news_->setVisible(serve_->isChecked() && accept_->isChecked() && !news_->text().isEmpty());
 }
 
 }  // namespace facenav::ui

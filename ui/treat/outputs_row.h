@@ -1,6 +1,7 @@
 #pragma once
 // OutputsRow: switches the OpenIGTLink server and other outputs (OSC, JSON, LSL, InVesalius's relay) on and
-// off, and lists who is connected and what a robot says.
+// off, lists who is connected and what a robot says, and shows the newest line about what a client sent, if
+// targets and commands are accepted.
 
 #include <QTimer>
 #include <QWidget>
@@ -23,13 +24,14 @@ class OutputsRow : public QWidget {
  private:
   QWidget* makeServer();
   QWidget* makeOthers();
+  QString otherWords() const;
   void send();
   void showState();
 
   TreatPresenter& treat_;
-  QCheckBox *serve_, *send_;
+  QCheckBox *serve_, *accept_, *send_;
   QLineEdit* others_;
-  ElidedLabel* receivers_;
+  ElidedLabel *receivers_, *news_;
   QTimer timer_;
 };
 

@@ -42,14 +42,59 @@ bool TreatPresenter::setPulseSource(const QString& words) {
   return true;
 }
 
-bool TreatPresenter::sendTo(const QString& words) {
+void TreatPresenter::chooseSecondCoil(const QString& name) {
+  second_.chooseCoil(name);
+  emit changed();
+}
+
+void TreatPresenter::choosePulseCoil(const QString& coil) {
+  second_.choosePulses(coil);
+  emit changed();
+}
+
+void TreatPresenter::chooseSecondTarget(const QString& name) {
+  second_.chooseTarget(name);
+  try {
+    if (isRunning() && !treatment_->secondCoilName().empty()) {
+      if (name.isEmpty())
+        treatment_->chooseSecondTarget(std::nullopt, {});
+      else
+        treatment_->chooseSecondTargetNamed(name.toStdString());
+    }
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+  emit changed();
+}
+
+QStringList TreatPresenter::targetNames() const {
+  QStringList names;
+  if (model_.isOpen())
+    for (const auto& target : model_.current().plan.targets) names << QString::fromStdString(target.name);
+  return names;
+}
+
+QString TreatPresenter::obeyOrders() {
+  if (!isRunning() || !model_.isOpen()) return {};
+  QString newest;
+  try {
+    for (const auto& news : orders_.obey(*treatment_, model_.current().store))
+      newest = QString::fromStdString(news.words);
+  } catch (const Error& error) {
+    newest = QString::fromUtf8(error.what());
+  }
+  if (!newest.isEmpty()) emit changed();  // a command may have paused the session
+  return newest;
+}
+
+bool TreatPresenter::sendTo(const QString& words, bool accepts) {
   bool is_opened = true;
   const QStringList wanted = outputsIn(words), open = sendsTo();
   for (const auto& each : open)
     if (!wanted.contains(each)) outputs_->close(each.toStdString());
   try {
     for (const auto& each : wanted)
-      if (!open.contains(each)) outputs_->open(each.toStdString());
+      if (!open.contains(each)) outputs_->open(each.toStdString(), orders_.incoming(accepts, accepts));
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     is_opened = false;

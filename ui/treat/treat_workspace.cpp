@@ -285,6 +285,7 @@ void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>&
                                         read_out.twist,
                                         read_out.face.words,
                                         read_out.coil.words,
+                                        read_out.second,
                                         presenter_.showsSkin() ? "skin" : ""}
                                 .join('|');
   const bool must_draw = signature_.isEmpty() || read_out.instruction != words_in_scene_;

@@ -195,15 +195,10 @@ interop::CaseHead caseHead(const casefile::CaseStore& store) {
   return head;
 }
 
-ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order) {
-  const auto head = caseHead(store);
-  std::optional<interop::T1> file_t1;
-  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
-  ImportPreview preview;
-  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
-  if (!file_t1) file_t1 = intendedT1(preview.file);
-  if (file_t1) requireSameImage(store, *file_t1, head.t1);
-  interop::check(preview.file, head, order.answers, file_t1);
+namespace {
+
+/// Judges the items of `preview.file`, which check() has seen, against the case's plan.
+ImportPreview withFates(const casefile::CaseStore& store, const OtherImport& order, ImportPreview preview) {
   const auto plan = store.targets();
   std::map<std::string, int> names;
   for (auto& item : preview.file.items) {
@@ -213,6 +208,28 @@ ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport&
   preview.file.items.clear();
   noteClock(order, preview);
   return preview;
+}
+
+}  // namespace
+
+ImportPreview previewItems(const casefile::CaseStore& store, const interop::CaseHead& head,
+                           const OtherImport& order, interop::OtherFile items) {
+  ImportPreview preview;
+  preview.file = std::move(items);
+  interop::check(preview.file, head, order.answers);
+  return withFates(store, order, std::move(preview));
+}
+
+ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order) {
+  const auto head = caseHead(store);
+  std::optional<interop::T1> file_t1;
+  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
+  ImportPreview preview;
+  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
+  if (!file_t1) file_t1 = intendedT1(preview.file);
+  if (file_t1) requireSameImage(store, *file_t1, head.t1);
+  interop::check(preview.file, head, order.answers, file_t1);
+  return withFates(store, order, std::move(preview));
 }
 
 ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& order,

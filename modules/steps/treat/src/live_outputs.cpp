@@ -91,12 +91,13 @@ std::optional<std::vector<std::uint8_t>> LiveOutputs::content(const std::string&
   return caseContent(folder, type, name);
 }
 
-void LiveOutputs::open(const std::string& words) {
+void LiveOutputs::open(const std::string& words, const links::LiveIncoming& incoming) {
   const auto open_names = names();
   if (std::find(open_names.begin(), open_names.end(), words) != open_names.end())
     throw Error("is open already", words);
   std::shared_ptr<links::LiveOutput> output = links::openLiveOutput(
-      words, [this](const std::string& type, const std::string& name) { return content(type, name); });
+      words, [this](const std::string& type, const std::string& name) { return content(type, name); },
+      incoming);
   std::lock_guard lock(mutex_);
   outputs_.push_back(std::move(output));
 }

@@ -9,7 +9,7 @@
 #include "facenav/core/error.h"
 #include "facenav/interop/invesalius_space.h"
 #include "facenav/links/igtl_content.h"
-#include "facenav/treat/served_coil.h"
+#include "facenav/treat/served_tracker.h"
 #include "support/ball_case.h"
 #include "support/free_port.h"
 #include "support/igtl_client.h"
@@ -129,7 +129,7 @@ TEST(ServedCoil, ThePoseOfAnotherTrackerIsTheCoilsPose) {
   ASSERT_TRUE(pose);
   const auto camera_T_coil = (pose->camera_T_marker * coil.marker_T_coil()).isometry();
   EXPECT_LT((camera_T_coil.matrix() - (camera_T_tracker * tracker_T_coil).matrix()).norm(), 1e-3);
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  std::this_thread::sleep_for(std::chrono::milliseconds(280));
   EXPECT_FALSE(tracker->track(frame).isTracked());  // an old pose is not used
 }
 

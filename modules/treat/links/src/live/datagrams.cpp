@@ -112,6 +112,8 @@ std::string jsonLine(const LiveFrame& frame) {
     poses[each.name] = {{"valid", each.pose.has_value()},
                         {"status", each.status},
                         {"rows", each.pose ? rowsOf(*each.pose) : nlohmann::json()}};
+  for (const auto& each : frame.poses)
+    if (!each.coil.empty()) poses[each.name]["coil"] = each.coil;
   nlohmann::json json = stateOf(frame);
   json["poses"] = poses;
   json["guidance"] = nullptr;

@@ -74,11 +74,12 @@ std::string liveOutputWords() {
 
 void requireLiveOutput(const std::string& words) { outputFrom(words); }
 
-std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content) {
+std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content,
+                                           const LiveIncoming& incoming) {
   const auto output = outputFrom(words);
   if (output.kind == "igtl")
     return std::make_unique<IgtlServer>(words, IgtlPlaceToListen{output.host, output.port},
-                                        std::move(content));
+                                        std::move(content), incoming);
   if (output.kind == "lsl") return std::make_unique<LslOutput>(words, output.stream);
   if (output.kind == "invesalius")
     return std::make_unique<InvesaliusOutput>(words, RelayPlace{output.host, output.port, output.robot});

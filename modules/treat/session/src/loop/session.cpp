@@ -27,7 +27,7 @@ struct Session::Implementation {
   std::atomic<bool> is_stopping{false}, has_ended{false}, is_source_empty{false};
   mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
-  std::optional<std::optional<ChosenTarget>> new_target;
+  std::optional<std::optional<ChosenTarget>> new_target, new_second_target;
   std::optional<coil_tracking::CoilModel> new_coil;
   std::optional<bool> wanted_check;  // value: withhold the poses until the check passes
   std::optional<bool> is_judged_wrong;
@@ -136,6 +136,8 @@ void Session::Implementation::track() {
       std::lock_guard lock(mutex);
       if (new_target) navigator->setTarget(std::move(*new_target));
       new_target.reset();
+      if (new_second_target) navigator->setSecondTarget(std::move(*new_second_target));
+      new_second_target.reset();
       if (new_coil) navigator->setCoil(*new_coil);
       new_coil.reset();
       if (wanted_check) navigator->checkRegistration(*wanted_check);
@@ -229,6 +231,11 @@ double Session::elapsed_s() const {
 void Session::setTarget(std::optional<ChosenTarget> target) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->new_target = std::move(target);
+}
+
+void Session::setSecondTarget(std::optional<ChosenTarget> target) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->new_second_target = std::move(target);
 }
 
 void Session::setCoil(const coil_tracking::CoilModel& coil) {

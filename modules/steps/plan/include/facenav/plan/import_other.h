@@ -59,4 +59,9 @@ ImportedItems importOther(const casefile::CaseStore& store, const OtherImport& o
 /// The case as items are judged by it. Throws Error for a case without an MRI.
 interop::CaseHead caseHead(const casefile::CaseStore& store);
 
+/// Judges items that came in another way than by a file; order.file names where from, order.t1 is ignored.
+/// `head`: caseHead() of the case.
+ImportPreview previewItems(const casefile::CaseStore& store, const interop::CaseHead& head,
+                           const OtherImport& order, interop::OtherFile items);
+
 }  // namespace facenav::steps

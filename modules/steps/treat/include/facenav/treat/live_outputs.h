@@ -16,8 +16,9 @@ namespace facenav::steps {
 
 class LiveOutputs {
  public:
-  /// Opens an output by its words. Throws Error if it cannot be opened, or is open already.
-  void open(const std::string& words);
+  /// Opens an output by its words. `incoming`: what an OpenIGTLink server takes from its clients. Throws
+  /// Error if it cannot be opened, or is open already.
+  void open(const std::string& words, const links::LiveIncoming& incoming = {});
   /// Closes the output of these words, or all; receivers are told that every pose is lost.
   void close(const std::string& words);
   void close();

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/links/live_order.h"
 #include "facenav/links/pulse_trigger.h"
 
 namespace facenav::interop {
@@ -25,6 +26,7 @@ struct LivePose {
   std::string name;
   std::optional<Eigen::Isometry3d> pose;  // nothing: lost
   std::string status = "OK";              // a lost pose: "MISSING", "OUT_OF_VIEW", "INVALID"
+  std::string coil = {};                  // name of the coil whose pose it is; empty: the head's
 };
 
 /// Distance of the coil from its target.
@@ -81,8 +83,10 @@ class LiveOutput {
 ///   lsl[:STREAM]            an LSL stream of markers, pulses and changes of the state (default: FaceNav)
 ///   invesalius:[HOST:]PORT[:robot=ADDRESS]  InVesalius's relay (default: on 127.0.0.1); with an address, its
 ///                           program for robots is asked to connect to the robot there
-/// `content` may be empty. Throws Error for other words, or a port that is in use.
-std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {});
+/// `content` may be empty. `incoming`: what an OpenIGTLink server takes from its clients; by default nothing.
+/// Throws Error for other words, or a port that is in use.
+std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {},
+                                           const LiveIncoming& incoming = {});
 /// Throws Error unless openLiveOutput would understand the words.
 void requireLiveOutput(const std::string& words);
 /// Lists the words, for help texts.

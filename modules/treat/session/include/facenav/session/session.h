@@ -59,6 +59,8 @@ class Session {
   /// Time from start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
+  /// Calls Navigator::setSecondTarget, from the next frame on.
+  void setSecondTarget(std::optional<ChosenTarget> target);
   /// Calls `listener` with every state, from the next frame on, and with that of a failure. It runs on the
   /// tracking thread and must return at once. Empty: none.
   void follow(std::function<void(const NavigationState&)> listener);
