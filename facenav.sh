@@ -2,6 +2,8 @@
 # FaceNav's one script: sets up what is missing (Debian packages, one data package by name through npm), builds, runs.
 #   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: facenav_demo)
 #   ./facenav.sh test            the tests of every module, under a virtual display (some minutes)
+#   ./facenav.sh package         the Debian packages and the archive that runs from any folder, in build/release/packages
+#   ./facenav.sh test --package  those packages: contents, start, demo, removal; without root
 #   ./facenav.sh test --full     the long ones: real heads, live sessions, accuracy, the demo's path
 #   ./facenav.sh check           before a commit: format and clang-tidy on what changed, layers, fast tests under sanitizers
 #   ./facenav.sh benchmark [WORD] every kernel beside its peers: Markdown tables, also in out/benchmarks.md
@@ -27,7 +29,9 @@ packages=(
   xvfb xauth mricron-data fonts-dejavu-core
 )
 check_packages=(clang-tidy git)
-test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel)
+package_packages=(dpkg-dev fakeroot binutils file)
+package_test_packages=(lintian desktop-file-utils shared-mime-info unzip bc)
+test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk dicom3tools libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel python3-socketio python3-aiohttp)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
@@ -139,6 +143,13 @@ run_benchmarks() {  # those whose name contains $1
   say "written: $root/out/benchmarks.md"
 }
 
+make_packages() {
+  set_up "${packages[@]}" "${package_packages[@]}"
+  build "$(tests_wanted)" facenav facenav-bids facenav-gui facenav-lab
+  say "making the packages"
+  resources/package/make_packages.sh build/release >"$log" 2>&1 || explain "making the packages"
+}
+
 # Prints the sources that differ from the main branch and are not ignored, one name a line.
 changed_sources() {
   local base
@@ -180,6 +191,11 @@ run_checks() {
 case "${1:-}" in
   test)
     shift
+    if [ "${1:-}" = --package ]; then
+      make_packages
+      install_packages "${package_test_packages[@]}"
+      exec resources/package/test_packages.sh build/release/packages
+    fi
     tier=(-LE full)
     if [ "${1:-}" = --full ]; then tier=(-L full); shift; fi
     set_up "${packages[@]}" "${test_packages[@]}"
@@ -212,6 +228,10 @@ case "${1:-}" in
     build "$(tests_wanted)" facenav facenav-bids facenav-gui facenav-lab
     say "built: $binaries/facenav"
     ;;
+  package)
+    make_packages
+    for file in build/release/packages/*; do say "made: $root/$file ($(du -h "$file" | cut -f1))"; done
+    ;;
   gui)
     shift
     set_up "${packages[@]}"
@@ -220,7 +240,7 @@ case "${1:-}" in
     cd "$caller" && exec "$binaries/facenav-gui" "$@"
     ;;
   '' | help)
-    sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '2,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
   demo | simulate | evaluate)  # the laboratory; without the window
     set_up "${packages[@]}" python3-skimage

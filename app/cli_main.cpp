@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
        {"Treat", {app::addTrack, app::addGuide, app::addServe, app::addThreshold}},
        {"Review", {app::addSessions, app::addPulses, app::addHotspot, app::addNote, app::addReport}},
        {"Home", {app::addFaceCase, app::addImport}},
-       {"Lab and others", {app::addLabVerbs, app::addSettings}}},
+       {"Lab and others", {app::addLabVerbs, app::addSettings, app::addLicences, app::addSupportBundle}}},
       {"prepare", "align", "track", "guide", "serve", "cloud", "settings", "threshold", "hotspot", "pulses",
        "report", "coil", "target", "rig"}};
   return app::runProgram(clinic, argc, argv);

@@ -6,6 +6,7 @@
 #include <new>
 #include <regex>
 
+#include "facenav/core/data_folder.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/settings_in_force.h"
@@ -113,12 +114,6 @@ int run(const Program& program, int argc, char** argv) {
 }
 
 }  // namespace
-
-std::filesystem::path programPath() {
-  std::error_code error;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path("facenav") : path;
-}
 
 int runProgram(const Program& program, int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);

@@ -25,7 +25,4 @@ struct Program {
 /// wrong usage.
 int runProgram(const Program& program, int argc, char** argv);
 
-/// Full path of the running program.
-std::filesystem::path programPath();
-
 }  // namespace facenav::app

@@ -17,7 +17,8 @@ struct Context {
   bool is_quiet = false;
   app::SettingsRequest settings = {};  // from the flags of the running verb
 
-  /// FACENAV_CACHE, else the build folder's cache beside the program.
+  /// FACENAV_CACHE, else the build folder's cache beside the program, else facenav in the user's cache
+  /// folder.
   std::filesystem::path cacheFolder() const;
 };
 

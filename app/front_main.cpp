@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (words.empty()) return become("facenav-gui", argv, "'facenav --help' lists the verbs");
-  if (app::isForLab(words)) return become("facenav-lab", argv, "'./facenav.sh demo' builds it");
+  if (app::isForLab(words))
+    return become("facenav-lab", argv, "install the package facenav-lab, or build it by './facenav.sh demo'");
   return become("facenav-cli", argv, "build or install it again");
 }

@@ -17,6 +17,7 @@
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "home/home_window.h"
+#include "opened_path.h"
 #include "prepare/prepare_workspace.h"
 #include "prepare/worklist_presenter.h"
 #include "registrations.h"
@@ -28,6 +29,7 @@
 #include "shell/screenshot.h"
 #include "shell/work_area.h"
 #include "software_commit.h"
+#include "wrong_usage.h"
 
 namespace {
 
@@ -36,7 +38,7 @@ using namespace facenav;
 struct Arguments {
   app::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  std::string report_pdf, session, home, rig;
+  std::string report_pdf, session, home, rig, opened;
   bool then_guides = false, has_name = false, has_no_pictures = false, is_set_up = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
@@ -170,12 +172,26 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   return QApplication::exec();
 }
 
+/// Opens what the desktop gave as if it had been named by its option.
+void takeOpened(Arguments& arguments) {
+  if (arguments.opened.empty()) return;
+  const app::OpenedPath opened = app::openedPath(arguments.opened);
+  const auto take = [](std::string& option, const std::filesystem::path& path) {
+    if (!path.empty()) option = path.string();
+  };
+  take(arguments.case_folder, opened.case_folder);
+  take(arguments.recording, opened.recording);
+  take(arguments.home, opened.home);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli("FaceNav: the workstation window", "facenav-gui");
-  cli.add_option("--case", arguments.case_folder, "case folder to open");
+  auto* path = cli.add_option("PATH", arguments.opened,
+                              "a case's folder or its case.json, or a recording's folder or its stereo.yml");
+  cli.add_option("--case", arguments.case_folder, "case folder to open")->excludes(path);
   cli.add_option(
       "--home", arguments.home,
       "case for use near home ('facenav import'): three steps, big buttons, one file to send back");
@@ -213,9 +229,13 @@ int main(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : 2;
   }
   try {
+    takeOpened(arguments);
     app::useSettings(arguments.settings);
     if (!arguments.report_pdf.empty()) return printReport(argc, argv, arguments);
     return runWindow(argc, argv, arguments);
+  } catch (const app::WrongUsage& error) {
+    std::fprintf(stderr, "facenav-gui: %s\n", error.what());
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "facenav-gui: %s\n", error.what());
     return 1;

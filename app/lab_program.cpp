@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 #include "facenav/core/child_process.h"
+#include "facenav/core/data_folder.h"
 #include "lab_verbs.h"
 
 namespace facenav::app {

@@ -12,6 +12,7 @@ namespace facenav::app {
 struct CoilChoice {
   std::string words;              // a name or a file; empty: none
   std::filesystem::path library;  // empty: the usual one
+  std::string second = {};        // a second coil, likewise; empty: none
 };
 
 /// Returns the chosen coil, or the default one if none is chosen. Throws Error if there is no such coil.

@@ -42,6 +42,8 @@ void addFaceCase(CLI::App& app, Context& context);
 void addImport(CLI::App& app, Context& context);
 void addMarker(CLI::App& app, Context& context);
 void addSettings(CLI::App& app, Context& context);
+void addLicences(CLI::App& app, Context& context);
+void addSupportBundle(CLI::App& app, Context& context);
 void addHelp(CLI::App& app, Context& context);
 
 }  // namespace facenav::app

@@ -17,7 +17,7 @@ namespace facenav::app {
 namespace {
 
 struct FieldRequest {
-  std::filesystem::path case_folder, case_option, output, compare;
+  std::filesystem::path case_folder, case_option, output, compare, surface;
   std::string target, coil, best, hotspot, against;
   std::optional<double> didt_A_per_us, output_pct, threshold_pct;
   std::optional<int> tier;
@@ -44,13 +44,20 @@ class FieldSteps {
                                                                      : request.case_folder)),
         plan_(store_.targets()) {
     report_.target = plan_.find(request.target);
-    report_.coil = efield::fieldCoil(request.coil);
+    report_.has_coil = !request.coil.empty();
+    if (report_.has_coil) report_.coil = efield::fieldCoil(request.coil);
     report_.rate_A_per_us = rateOf(request, report_.coil.dipoles);
     report_.shows_arrows = request.shows_arrows;
     surfaces_ = steps::fieldSurfaces(store_);
     report_.has_sulci = surfaces_.has_sulci;
-    if (request.tier != 0) buildShells();
-    head_ = headAt(report_.target);
+    report_.imported = steps::importedField(store_, report_.target);
+    if (isImported()) {
+      head_ = steps::importedHead(store_, report_.target);
+      if (!report_.rate_A_per_us) report_.rate_A_per_us = report_.imported->rate_A_per_us;
+    } else {
+      if (request.tier != 0) buildShells();
+      head_ = headAt(report_.target);
+    }
     report_.head = head_.get();
   }
 
@@ -58,7 +65,7 @@ class FieldSteps {
     const auto& coil = report_.coil.dipoles;
     report_.on_cortex = steps::fieldOnCortex(*head_, surfaces_, coil, report_.target);
     const bool is_shown = request_.is_json || !is_quiet_;
-    if (is_shown && surfaces_.brain_mask)
+    if (is_shown && surfaces_.brain_mask && head_->fillsBrain())
       report_.regions = steps::fieldInBrain(*head_, surfaces_, coil, report_.target, report_.on_cortex,
                                             monitor_, steps::aalLabels(store_))
                             .regions;
@@ -68,7 +75,7 @@ class FieldSteps {
     if (!request_.hotspot.empty()) findDose();
     if (!request_.compare.empty())
       report_.comparison = steps::compareField(*head_, surfaces_, coil, report_.target, request_.compare,
-                                               report_.rate_A_per_us);
+                                               report_.rate_A_per_us, request_.surface);
     if (!request_.output.empty())
       steps::writeField(*head_, surfaces_, coil, report_.target, report_.rate_A_per_us.value_or(1),
                         request_.output);
@@ -76,6 +83,8 @@ class FieldSteps {
   }
 
  private:
+  bool isImported() const { return request_.tier == int(steps::FieldTier::imported); }
+
   /// Builds the shells that are wanted if the case can have them and does not: three, or three and four, so
   /// that both are compared.
   void buildShells() const {
@@ -148,13 +157,23 @@ class FieldSteps {
   FieldReport report_;
 };
 
+/// Throws WrongUsage for options that fit neither a computed nor an imported field.
+void requireSensible(const FieldRequest& request) {
+  const bool is_imported = request.tier == int(steps::FieldTier::imported);
+  if (request.coil.empty() && !is_imported)
+    throw WrongUsage("--coil is required", "give figure8-70, round, or a coil's file; or --tier 3");
+  if (is_imported && !(request.best.empty() && request.hotspot.empty() && request.against.empty()))
+    throw WrongUsage("an imported field is that of one pose: --best, --against and --hotspot need others",
+                     "leave them out, or use another --tier");
+}
+
 void addFieldOptions(CLI::App& verb, FieldRequest& request) {
   verb.add_option("CASE", request.case_folder, "case folder");
   verb.add_option("--case", request.case_option, "the same, as an option");
   verb.add_option("--target", request.target, "target of the plan whose pose is taken")->required();
   verb.add_option("--coil", request.coil,
-                  "the coil's field: figure8-70 or round (built in), or a .ccd, .tcd, .nii.gz file")
-      ->required();
+                  "the coil's field: figure8-70 or round (built in), or a .ccd, .tcd, .nii.gz file; an "
+                  "imported field needs none");
   auto* didt = verb.add_option("--didt", request.didt_A_per_us, "rate of the coil's current, A/us")
                    ->check(CLI::Range(0.001, 1000.0));
   verb.add_option("--output", request.output_pct,
@@ -164,15 +183,19 @@ void addFieldOptions(CLI::App& verb, FieldRequest& request) {
   verb.add_option(
           "--tier", request.tier,
           "head model: 0 local sphere, 1 three shells, 2 with the fluid round the brain (built once, about a "
-          "minute, 2 GB); default: the surest of the case")
-      ->check(CLI::Range(0, 2));
+          "minute, 2 GB), 3 the field that was imported for this pose (facenav import); default: the surest "
+          "of 0 to 2")
+      ->check(CLI::Range(0, 3));
   verb.add_option(
       "-o,--output-file", request.output,
       "writes the field (V/m, at 1 A/us if no rate is given): .vtp or .msh on the cortex, .nii.gz in "
       "the brain");
-  verb.add_option(
+  auto* compare = verb.add_option(
       "--compare", request.compare,
-      "field of another program on the same cortex (.msh, .vtp): relative error, shift of the maximum");
+      "field of another program on the same cortex (.msh, NIfTI, .vtp, values on a surface): relative error, "
+      "shift of the maximum");
+  verb.add_option("--surface", request.surface, "of --compare with values on a surface: its GIFTI file")
+      ->needs(compare);
   verb.add_option(
           "--best", request.best,
           "finds handle angle and place within 2 x 2 cm for the most field: strength (at the target), normal "
@@ -204,6 +227,7 @@ void addField(CLI::App& app, Context& context) {
     if (request->case_folder.empty() && request->case_option.empty()) throw CLI::RequiredError("CASE");
     if (!request->case_folder.empty() && !request->case_option.empty())
       throw WrongUsage("the case is given twice", "give CASE or --case");
+    requireSensible(*request);
     if (isStandardOutput(request->output))
       throw WrongUsage("the field's format is told by the file's name", "give a name such as E.vtp");
     if (!request->output.empty() && !steps::isFieldName(request->output))

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "commands/import_field.h"
 #include "facenav/core/number_text.h"
 #include "facenav/efield/current_arrows.h"
 #include "facenav/geometry/json_transform.h"
@@ -36,13 +37,28 @@ std::vector<std::pair<std::string, double>> largestLabels(const steps::FieldRegi
   return labels;
 }
 
-void printModel(const FieldReport& report) {
+bool isImported(const FieldReport& report) { return report.head->tier() == steps::FieldTier::imported; }
+
+void printCoil(const FieldReport& report) {
   const auto& coil = report.coil;
+  if (isImported(report)) return (void)std::printf("coil         that of the imported field\n");
   std::printf("coil         %s, %td dipoles", coil.dipoles.name.c_str(), coil.dipoles.positions_mm.cols());
   if (coil.thinning_error > 0)
     std::printf(" for %d (error %.2f %%)", coil.dipoles_in_file, 100 * coil.thinning_error);
   std::printf("\n");
   for (const auto& note : coil.notes) std::printf("note: %s\n", note.c_str());
+}
+
+void printImported(const FieldReport& report) {
+  if (!report.imported) return;
+  if (isImported(report))
+    std::printf("%s", inLines(*report.imported).c_str());
+  else
+    std::printf("note: a field was imported for this pose: --tier 3 shows it\n");
+}
+
+void printModel(const FieldReport& report) {
+  printCoil(report);
   std::printf("pose         as planned for '%s', gap %.1f mm\n", report.target.name.c_str(),
               guidance::centreGap_mm(report.target));
   std::printf("model        tier %d: %s; usual error %.0f %%\n", int(report.head->tier()),
@@ -53,8 +69,10 @@ void printModel(const FieldReport& report) {
 void printStrengths(const FieldReport& report) {
   const auto& field = report.on_cortex;
   std::printf("at target    %s\n", strength(report, field.at_target.norm()).c_str());
-  std::printf("across       %s along the cortex' normal\n",
-              strength(report, std::abs(field.along_normal)).c_str());
+  std::printf("across       %s\n",
+              std::isnan(field.along_normal)
+                  ? "not known: the field has no directions"
+                  : (strength(report, std::abs(field.along_normal)) + " along the cortex' normal").c_str());
   if (field.normal.off_radial_deg < kOnCrown_deg)
     std::printf(
         "note: the target lies on a crown: its normal points out of the head, where the field is small\n");
@@ -198,7 +216,7 @@ Json comparisonJson(const steps::FieldComparison& compared) {
 Json asJson(const FieldReport& report) {
   const auto& field = report.on_cortex;
   Json json{{"target", report.target.name},
-            {"coil", coilJson(report)},
+            {"coil", isImported(report) ? Json() : coilJson(report)},
             {"gap_mm", guidance::centreGap_mm(report.target)},
             {"tier", int(report.head->tier())},
             {"model", report.head->inWords()},
@@ -218,6 +236,7 @@ Json asJson(const FieldReport& report) {
   json["maximum_mm"] = tenths(field.peak_place.mm);
   json["maximum_distance_mm"] = field.peak_distance_mm;
   json["regions"] = report.regions ? regionsJson(*report.regions) : Json();
+  json["imported"] = report.imported ? importedJson(*report.imported) : Json();
   if (report.best) json["best"] = bestJson(report);
   if (report.pose_comparison) {
     json["against"] = differenceJson(*report.pose_comparison);
@@ -236,6 +255,7 @@ Json asJson(const FieldReport& report) {
 void printField(const FieldReport& report, bool is_json) {
   if (is_json) return printJson(asJson(report));
   printModel(report);
+  printImported(report);
   printStrengths(report);
   printRegions(report);
   printExtras(report);

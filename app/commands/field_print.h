@@ -7,6 +7,7 @@
 #include "facenav/plan/best_pose.h"
 #include "facenav/plan/cortex_field.h"
 #include "facenav/plan/field_region.h"
+#include "facenav/plan/imported_field.h"
 
 namespace facenav::app {
 
@@ -19,7 +20,9 @@ struct FieldDose {
 /// Everything that one call found. Fields are in V/m at 1 A/us.
 struct FieldReport {
   guidance::Target target;
-  efield::FieldCoil coil;
+  efield::FieldCoil coil;                             // not set unless has_coil
+  bool has_coil = true;                               // an imported field needs none
+  std::optional<steps::ImportedField> imported = {};  // for this pose, whichever tier is shown
   const steps::HeadField* head = nullptr;
   steps::FieldOnCortex on_cortex;
   bool has_sulci = false;

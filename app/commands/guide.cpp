@@ -5,6 +5,7 @@
 
 #include "commands/commands.h"
 #include "commands/session_verb.h"
+#include "commands/two_coils.h"
 #include "facenav/align/align_from_capture.h"
 #include "facenav/cameras/projector_model.h"
 #include "facenav/casefile/case_coil.h"
@@ -87,6 +88,7 @@ void guideLive(const GuideRequest& request, SessionVerb session, Context& contex
   session.is_json = request.is_json;
   const auto outcome = runSession(session, context);
   writeWholeFile(request.output, readWholeFile(outcome.session / "guidance.csv"));
+  copySecondTable(outcome.session / "guidance.csv", request.output);
   if (request.is_json || (!context.is_quiet && !session.has_commands)) printSession(outcome, request.is_json);
   requireWholeSession(outcome);
 }
@@ -99,12 +101,12 @@ void addGuide(CLI::App& app, Context& context) {
       "poses of head and coil, or live cameras -> distance, tilt and twist to a target, frame by frame");
   auto request = std::make_shared<GuideRequest>();
   verb->add_option("CASE", request->case_folder, "case folder with targets.json")->required();
-  verb->add_option("POSES", request->poses, "poses.csv, tracked with --case and --coil; or --live");
+  verb->add_option("POSES", request->poses,
+                   "poses.csv, tracked with --case and --coil; or --live, or --tracker-head");
   auto session = std::make_shared<SessionVerb>();
   addLiveSessionOptions(*verb, *session);
   addSessionOptions(*verb, *session);
-  verb->add_option("--coil", session->coil.words, "with --live: the coil, by name or its coil.json");
-  addCoilLibraryOption(*verb, session->coil.library);
+  addCoilsOption(*verb, session->coil, "with --live: the coil, by name or its coil.json");
   verb->add_option("--target", request->target, "name of the target")->required();
   verb->add_option("-o,--output", request->output, "guidance.csv to write")->required();
   auto* projector =
@@ -119,8 +121,9 @@ void addGuide(CLI::App& app, Context& context) {
       ->needs(projected);
   verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request, session, verb] {
-    refuseIdleSession(*verb, {"--live"});
-    if (!session->live.rig.empty()) return guideLive(*request, *session, context);
+    refuseIdleSession(*verb, {"--live", "--tracker-head"});
+    if (!session->live.rig.empty() || session->isWithoutCameras())
+      return guideLive(*request, *session, context);
     if (request->poses.empty())
       throw WrongUsage("it is not said what to guide", "give POSES (poses.csv), or --live RIG");
     guideTable(*request, context);

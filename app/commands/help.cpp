@@ -6,6 +6,7 @@
 #include "command_line.h"
 #include "commands/commands.h"
 #include "completion.h"
+#include "facenav/core/data_folder.h"
 #include "lab_program.h"
 #include "man_page.h"
 #include "typed_values.h"

@@ -7,12 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "commands/import_field.h"
 #include "commands/import_other.h"
 #include "facenav/core/error.h"
 #include "facenav/core/standard_output.h"
 #include "facenav/home/returned_session.h"
 #include "facenav/plan/expert_pose.h"
 #include "typed_values.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 
@@ -76,7 +78,17 @@ struct ImportRequest {
   std::filesystem::path case_folder, file;
   bool is_json = false;
   ImportOtherRequest other;
+  ImportFieldRequest field;
 };
+
+void importField(const Context& context, ImportRequest& request) {
+  auto& field = request.field;
+  field.order.file = request.file;
+  field.order.t1 = request.other.order.t1;
+  field.is_dry_run = request.other.is_dry_run;
+  field.is_json = request.is_json;
+  importFieldFile(context, request.case_folder, field);
+}
 
 void importSession(const Context& context, const ImportRequest& request) {
   const auto store = casefile::CaseStore::open(request.case_folder);
@@ -115,21 +127,27 @@ void importCase(const Context& context, const ImportRequest& request) {
 void addImport(CLI::App& app, Context& context) {
   auto* verb = app.add_subcommand(
       "import",
-      "a file of another navigator -> targets and sessions of the case; a file that the clinic gave for use "
+      "a file of another navigator -> targets and sessions of the case; an electric field of SimNIBS -> the "
+      "target that it was computed for; a file that the clinic gave for use "
       "at home -> case folder; a session that came back from home -> a session of the case, marked \"at "
       "home\"");
   auto request = std::make_shared<ImportRequest>();
   verb->add_option("CASE", request->case_folder, "case folder to add to; of a file for home: to make")
       ->required();
-  verb->add_option(
-          "FILE", request->file,
-          "file of another program, known by its content; or of 'facenav export --as home', or the one "
-          "sent back")
+  verb->add_option("FILE", request->file,
+                   "file or session folder of another program, known by its content; or of 'facenav export "
+                   "--as home', or the one "
+                   "sent back")
       ->required();
   verb->add_flag("--json", request->is_json, "JSON");
   addImportOtherOptions(*verb, request->other);
+  addImportFieldOptions(*verb, request->field);
   verb->callback([&context, request] {
     if (isOtherFile(request->file)) {
+      if (steps::isFieldFile(request->file)) return importField(context, *request);
+      if (!request->field.order.target.empty())
+        throw WrongUsage("--target is for an electric field, and this file holds none that is known",
+                         "give a .msh, a NIfTI, or an overlay with its --surface");
       request->other.order.file = request->file;
       request->other.is_json = request->is_json;
       return importOtherFile(context, request->case_folder, request->other);

@@ -7,7 +7,9 @@
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/json_transform.h"
+#include "facenav/interop/formats.h"
 #include "json_output.h"
+#include "wrong_usage.h"
 
 namespace facenav::app {
 namespace {
@@ -74,6 +76,9 @@ void print(const steps::ImportPreview& preview) {
       const auto p = item.mri_T_coil->translation_mm();
       std::printf("  %.1f %.1f %.1f mm", p.x(), p.y(), p.z());
     }
+    if (item.mri_place)
+      std::printf("  %.1f %.1f %.1f mm", item.mri_place->mm.x(), item.mri_place->mm.y(),
+                  item.mri_place->mm.z());
     if (!item.time.empty()) std::printf("  %s", item.time.c_str());
     std::printf(reason.empty() ? "\n" : ": %s\n", reason.c_str());
     for (const auto& note : item.notes) std::printf("          note: %s\n", note.c_str());
@@ -99,6 +104,13 @@ void printSummary(const steps::ImportedItems& imported, const steps::ImportPrevi
 
 void answer(ImportOtherRequest& request) {
   auto& answers = request.order.answers;
+  if (request.y_sign == "as-written" && answers.flips_handle)
+    throw WrongUsage("--y-sign as-written and --flip-handle exclude each other", "give one of them");
+  answers.keeps_handle = request.y_sign == "as-written";
+  answers.flips_handle |= request.y_sign == "flipped";
+  if (!request.head_frame.empty())
+    answers.head_frame =
+        request.head_frame == "x-nasion" ? interop::HeadFrame::x_nasion : interop::HeadFrame::x_right;
   if (!request.space.empty())
     answers.space = request.space == "lps" ? interop::Space::lps : interop::Space::ras;
   if (!request.form.empty())
@@ -118,7 +130,16 @@ void addImportOtherOptions(CLI::App& verb, ImportOtherRequest& request) {
       ->check(CLI::IsMember({"sform", "qform"}));
   verb.add_option("--t1", request.order.t1, "of another program's file: the NIfTI that the program used");
   verb.add_flag("--flip-handle", request.order.answers.flips_handle,
-                "of another program's file: its handle points the other way");
+                "of another program's file: its handle points the other way; the same as --y-sign flipped");
+  verb.add_option("--y-sign", request.y_sign,
+                  "of another program's file: where it leaves open which way the handle points (NIBS-BIDS), "
+                  "its y is right as written, or flipped")
+      ->check(CLI::IsMember({"as-written", "flipped"}));
+  verb.add_option(
+          "--head-frame", request.head_frame,
+          "of another program's file: of a frame by nasion and ears without landmarks (visor2), where "
+          "its x points: to the nasion, or to the right ear")
+      ->check(CLI::IsMember({"x-nasion", "x-right"}));
   verb.add_option("--utc-offset", request.order.utc_offset_h,
                   "of another program's file: hours that its clock is ahead of UTC; default 0")
       ->check(CLI::Range(-14.0, 14.0));
@@ -133,7 +154,7 @@ bool isOtherFile(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) throw Error("file does not exist", file.string(), "check the path");
   char start[2] = {};
   std::ifstream(file, std::ios::binary).read(start, sizeof start);
-  return start[0] != 'P' || start[1] != 'K';
+  return start[0] != 'P' || start[1] != 'K' || interop::isSessionArchive(file);
 }
 
 void importOtherFile(const Context& context, const std::filesystem::path& case_folder,

@@ -60,6 +60,20 @@ void print(const steps::Hotspot& h) {
   std::printf("largest answer: pulse %d\n", h.peak_pulse);
 }
 
+Json curveJson(const steps::MepByField& map) {
+  const auto& curve = map.curve;
+  Json json{
+      {"words", steps::curveWords(map)}, {"aicc_gain", curve.aicc_gain}, {"r2_line", curve.r2_line},
+      {"r2_sigmoid", curve.r2_sigmoid},  {"slope", curve.slope},         {"intercept", curve.intercept}};
+  json["sigmoid"] = Json();
+  if (curve.verdict == stimulation::CurveVerdict::sigmoid)
+    json["sigmoid"] = {{"low", curve.sigmoid.low},
+                       {"height", curve.sigmoid.height},
+                       {"midpoint_v_per_m_at_1_a_per_us", curve.sigmoid.midpoint},
+                       {"width_v_per_m_at_1_a_per_us", curve.sigmoid.width}};
+  return json;
+}
+
 Json toJson(const steps::MepByField& map, const std::string& coil) {
   const auto& found = map.regression;
   Json json{{"by", "field"},
@@ -77,28 +91,8 @@ Json toJson(const steps::MepByField& map, const std::string& coil) {
   json["spot_mm"] = found.is_explained ? pointOf(map.spot) : Json();
   json["region_mm"] = found.is_explained ? Json(map.region_mm) : Json();
   json["region_places"] = found.is_explained ? Json(map.region_places) : Json();
+  json["curve"] = found.is_explained ? curveJson(map) : Json();
   return json;
-}
-
-void print(const steps::MepByField& map, const std::string& coil) {
-  const auto& found = map.regression;
-  std::printf("%d pulses with MEP and pose, regressed on the local field (coil %s, tier %d%s)\n", map.pulses,
-              steps::fieldCoilName(coil).c_str(), int(map.tier),
-              map.by_rate ? ", at each pulse's output" : "; no output is known");
-  if (map.left_out > 0)
-    std::printf("%d more have an MEP, but no pose or no output: left out\n", map.left_out);
-  if (!found.is_explained) {
-    std::printf("nothing is explained: no place of the cortex explains the MEPs better than chance\n");
-    std::printf("best R2 %.2f; shuffled MEPs reach it in %.0f %%\n", found.r2, 100 * found.chance);
-    return;
-  }
-  std::printf("spot that explains the muscle: %s mm, R2 %.2f (%s MEP; linear %.2f, log %.2f)\n",
-              words(map.spot).c_str(), found.r2,
-              found.response == stimulation::FieldResponse::log ? "logarithm of the" : "straight line of the",
-              found.r2_linear.maxCoeff(), found.r2_log.maxCoeff());
-  std::printf("region: 95 %% of resampled pulses have their spot within %.1f mm, at %d places\n",
-              map.region_mm, map.region_places);
-  std::printf("shuffled MEPs reach this R2 in %.1f %%\n", 100 * found.chance);
 }
 
 struct HotspotRequest {
@@ -113,7 +107,7 @@ void showByField(const HotspotRequest& request, const casefile::CaseStore& store
                                  efield::fieldCoil(request.coil).dipoles);
   const auto map = steps::mepByField(fields, casefile::readSessionPulses(folder));
   if (request.is_json) return void(std::printf("%s\n", toJson(map, request.coil).dump(1).c_str()));
-  print(map, request.coil);
+  for (const auto& line : steps::inWords(map, request.coil)) std::printf("%s\n", line.c_str());
 }
 
 struct Notes {

@@ -12,9 +12,11 @@ void addSendOptions(CLI::App& verb, OutputChoice& choice) {
                   "address of this computer that the OpenIGTLink server listens on; 0.0.0.0: all of them. "
                   "Everyone who reaches it can read poses, MRI and surfaces")
       ->capture_default_str();
-  verb.add_option("--send", choice.send,
-                  "also sends poses, state and pulses: osc:[HOST:]PORT or json:[HOST:]PORT (UDP); may be "
-                  "repeated")
+  verb.add_option(
+          "--send", choice.send,
+          "also sends poses, state and pulses: osc:[HOST:]PORT or json:[HOST:]PORT (UDP), lsl[:STREAM] "
+          "(markers), invesalius:[HOST:]PORT[:robot=ADDRESS] (its relay; asks to connect to a robot "
+          "only with an address); may be repeated")
       ->allow_extra_args(false)
       ->check(understoodBy(links::requireLiveOutput));
 }
@@ -32,17 +34,25 @@ void addOutputOptions(CLI::App& verb, OutputChoice& choice) {
       ->check(understoodBy([](const std::string& port) {
         if (!port.empty()) links::requireLiveOutput("igtl:" + port);
       }));
+  verb.add_option(
+          "--accept", choice.accept,
+          "with --serve: takes from its clients targets (TRANSFORM or POINT named Target_*; they are "
+          "offered, never chosen), commands (start, stop, pulse), or targets,commands; default: nothing")
+      ->check(understoodBy([](const std::string& words) { links::incomingFrom(words); }));
   addSendOptions(verb, choice);
 }
 
-std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet) {
+std::shared_ptr<steps::LiveOutputs> openOutputs(const OutputChoice& choice, bool is_quiet,
+                                                const links::LiveIncoming& incoming) {
+  if (!choice.accept.empty() && !choice.is_served)
+    throw WrongUsage("--accept is for a server", "give --serve, too");
   auto words = choice.send;
   if (choice.is_served)
     words.insert(words.begin(), "igtl:" + choice.address + ":" + std::to_string(choice.port));
   if (words.empty()) return nullptr;
   auto outputs = std::make_shared<steps::LiveOutputs>();
   for (const auto& each : words) {
-    outputs->open(each);
+    outputs->open(each, incoming);
     if (!is_quiet) std::fprintf(stderr, "sending to %s\n", each.c_str());
   }
   return outputs;

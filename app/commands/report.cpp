@@ -1,5 +1,5 @@
-// facenav report CASE [SESSION]: a session as one page for the chart (HTML), and as PDF. The window's program
-// prints the PDF, without a window, since this one has no Qt.
+// facenav report CASE [SESSION]: a session as one page for the chart (HTML), as PDF, and as a DICOM object
+// for the archive. The window's program prints the PDF, without a window, since this one has no Qt.
 
 #include <cstdio>
 #include <memory>
@@ -13,6 +13,7 @@
 #include "facenav/core/whole_file.h"
 #include "facenav/report/session_report.h"
 #include "facenav/review/pulse_pictures.h"
+#include "facenav/review/report_document.h"
 #include "facenav/scene/display.h"
 #include "typed_values.h"
 #include "virtual_display.h"
@@ -25,7 +26,8 @@ namespace {
 struct ReportRequest {
   fs::path case_folder;
   std::string session;
-  std::optional<fs::path> output, pdf;
+  std::optional<fs::path> output, pdf, dicom;
+  fs::path source;
   bool is_pdf_wanted = false, has_no_pictures = false;
   report::ReportOptions options;
 };
@@ -60,9 +62,33 @@ void printPdf(const ReportRequest& request, const fs::path& session_folder, cons
   if (!end.isDone()) throw Error("the PDF could not be written", pdf.string(), "see the line above");
 }
 
-void makeReport(const ReportRequest& request, const Context& context) {
+/// Wraps the report's PDF for the archive. A PDF that nobody asked for is made beside the object and removed.
+void writeDicom(const ReportRequest& request, const casefile::CaseStore& store,
+                const fs::path& session_folder, const std::optional<fs::path>& made_pdf,
+                const Context& context) {
+  const WholeFile scratch(fs::path(*request.dicom).replace_extension(".pdf"));  // never committed
+  if (!made_pdf) printPdf(request, session_folder, scratch.temporaryPath(), context);
+  steps::writeReportDocument(store, session_folder, readWholeFile(made_pdf.value_or(scratch.temporaryPath())),
+                             request.source, *request.dicom, context.monitor);
+  if (!context.is_quiet) std::printf("%s: with the patient's name\n", request.dicom->c_str());
+}
+
+/// Refuses options that do not fit together.
+void requireFittingOptions(const ReportRequest& request) {
   if (request.output && isStandardOutput(*request.output) && request.is_pdf_wanted)
     throw WrongUsage("--pdf writes beside the page, which goes to standard output", "give --pdf-file FILE");
+  if (request.dicom && request.source.empty())
+    throw WrongUsage(
+        "the case holds no patient's name and study; they are in the files that it was prepared from",
+        "give their folder with --source");
+  if (!request.dicom && !request.source.empty())
+    throw WrongUsage("--source does nothing here", "give it with --dicom");
+  if (request.dicom && isStandardOutput(*request.dicom))
+    throw WrongUsage("a DICOM object is not written to standard output", "name a file");
+}
+
+void makeReport(const ReportRequest& request, const Context& context) {
+  requireFittingOptions(request);
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto folder = casefile::findSession(store.folder(), request.session);
   const auto session = casefile::readSession(folder);
@@ -74,10 +100,14 @@ void makeReport(const ReportRequest& request, const Context& context) {
   const auto page = request.output.value_or(folder / "report.html");
   writeWholeFile(page, report::sessionReport(store, session, options), FileAccess::owner_only);
   if (!context.is_quiet && !isStandardOutput(page)) std::printf("%s\n", page.c_str());
-  if (!request.is_pdf_wanted && !request.pdf) return;
-  const auto pdf = request.pdf.value_or(fs::path(page).replace_extension(".pdf"));
-  printPdf(request, folder, pdf, context);
-  if (!context.is_quiet) std::printf("%s\n", pdf.c_str());
+  std::optional<fs::path> pdf;
+  if (request.is_pdf_wanted || request.pdf) {
+    pdf = request.pdf.value_or(fs::path(page).replace_extension(".pdf"));
+    printPdf(request, folder, *pdf, context);
+    if (!context.is_quiet) std::printf("%s\n", pdf->c_str());
+  }
+  if (pdf && isStandardOutput(*pdf)) pdf.reset();  // it cannot be read back
+  if (request.dicom) writeDicom(request, store, folder, pdf, context);
 }
 
 }  // namespace
@@ -92,6 +122,15 @@ void addReport(CLI::App& app, Context& context) {
   verb->add_flag("--pdf", request->is_pdf_wanted, "also as PDF, beside it");
   verb->add_option("--pdf-file", request->pdf, "also as PDF, into this file")
       ->check(namedLike({".pdf"}, "PDF"));
+  verb->add_option(
+          "--dicom", request->dicom,
+          "also as a DICOM object (Encapsulated PDF) for the archive, into this file; needs --source; "
+          "'facenav pacs store' sends it")
+      ->check(namedLike({".dcm"}, "DICOM object"));
+  verb->add_option(
+      "--source", request->source,
+      "of --dicom: folder of the DICOM files that the case was prepared from; patient and study are "
+      "taken from there");
   verb->add_flag("--no-pictures", request->has_no_pictures, "without pictures of the pulses on the cortex");
   verb->add_flag("--with-name", request->options.has_name, "adds the case's label (it may be a name)");
   verb->callback([&context, request] { makeReport(*request, context); });

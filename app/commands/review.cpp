@@ -135,6 +135,7 @@ struct PulsesRequest {
   std::vector<int> exclude, include;
   std::vector<std::string> set_meps;  // "12=350"
   std::optional<std::filesystem::path> mep_file;
+  steps::XdfChoice xdf;
   std::optional<double> offset_s;
   bool is_json = false;
 
@@ -157,7 +158,8 @@ void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder
   std::vector<casefile::MepEdit> typed;
   for (const auto& words : request.set_meps) typed.push_back(mepFrom(words, request.by));
   if (request.mep_file) {
-    const auto file = steps::readMepFile(*request.mep_file);
+    const auto file =
+        steps::readMepFile(*request.mep_file, request.xdf, settingsOf<steps::MepImportLimits>());
     const auto session = casefile::readSessionPulses(folder);
     auto match =
         steps::matchMeps(file, session.pulses, request.offset_s, settingsOf<steps::MepImportLimits>());
@@ -167,6 +169,8 @@ void enterMeps(const PulsesRequest& request, const std::filesystem::path& folder
     if (match.edits.empty())
       throw Error("no MEP is at the time of a pulse", request.mep_file->string(),
                   "is it this session's file?");
+    if (!context.is_quiet)
+      for (const auto& note : file.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
     for (auto& edit : match.edits) edit.by = request.by;
     typed.insert(typed.end(), match.edits.begin(), match.edits.end());
     if (!context.is_quiet) std::printf("%s\n", steps::mepMatchWords(match, file).c_str());
@@ -205,6 +209,28 @@ void showPulses(const PulsesRequest& request, const std::filesystem::path& folde
   writeWholeFile(*request.output, content);
   if (!context.is_quiet)
     std::printf("%zu pulses of session %s\n", session.pulses.size(), folder.filename().c_str());
+}
+
+void addMepOptions(CLI::App& verb, PulsesRequest& request) {
+  auto* mep = verb.add_option(
+      "--mep", request.mep_file,
+      "CSV with utc or t_s, and mep_uv, or an XDF recording with markers and EMG: each MEP goes to the pulse "
+      "at its time; the history stays");
+  verb.add_option("--offset", request.offset_s,
+                  "with --mep: seconds from the file's clock to the session's; default: found, and said")
+      ->needs(mep);
+  verb.add_option("--emg", request.xdf.emg,
+                  "with --mep FILE.xdf: STREAM[:CHANNEL] of the EMG; default: the only one")
+      ->needs(mep);
+  verb.add_option("--emg-unit", request.xdf.unit, "with --mep FILE.xdf: uV, mV or V; default: as it says")
+      ->check(understoodBy([](const std::string& unit) { steps::xdfChoiceFrom(";;" + unit); }))
+      ->needs(mep);
+  verb.add_option("--markers", request.xdf.markers,
+                  "with --mep FILE.xdf: STREAM[:MARKER] of the pulses; default: FaceNav's, or the only one")
+      ->needs(mep);
+  verb.add_option("--set-mep", request.set_meps, "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
+      ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
+      ->allow_extra_args(false);
 }
 
 }  // namespace
@@ -260,16 +286,7 @@ void addPulses(CLI::App& app, Context& context) {
       ->allow_extra_args(false);
   verb->add_option("--reason", request->reason, "why it is excluded; kept with it");
   verb->add_option("--by", request->by, "who changes it: name or initials (not the patient's)");
-  auto* mep = verb->add_option(
-      "--mep", request->mep_file,
-      "CSV with utc or t_s, and mep_uv: each MEP goes to the pulse at its time; the history stays");
-  verb->add_option("--offset", request->offset_s,
-                   "with --mep: seconds from the file's clock to the session's; default: found, and said")
-      ->needs(mep);
-  verb->add_option("--set-mep", request->set_meps,
-                   "PULSE=MICROVOLTS, as 12=350; 12= takes it back; repeatable")
-      ->check(understoodBy([](const std::string& words) { mepFrom(words, {}); }))
-      ->allow_extra_args(false);
+  addMepOptions(*verb, *request);
   verb->add_option("--field", request->field_coil,
                    "computes the electric field of each pulse's pose anew, for this coil: figure8-70, round, "
                    "or a .ccd, .tcd, .nii.gz file");

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "commands/live_option.h"
 #include "commands/output_option.h"
+#include "commands/two_coils.h"
 #include "facenav/capture/recording.h"
 #include "facenav/casefile/case_store.h"
 #include "facenav/treat/serve_poses.h"
@@ -50,6 +51,9 @@ void serve(Context& context, ServeVerb verb) {
   const auto& coil = verb.cameras.coil;
   if (!coil.words.empty())
     request.track.coil_file = coil_library::coilFileOf(coil.words, coil_library::coilLibrary(coil.library));
+  request.track.second_coil_file = secondCoilFile(coil);
+  if (!request.track.second_target.empty() && (!request.track.second_coil_file || !request.track.case_folder))
+    throw WrongUsage("--second-target needs a second coil and a case", "give --coil twice, and --case");
   verb.outputs.is_served = true;
   request.outputs = openOutputs(verb.outputs, context.is_quiet);
   const auto outcome = steps::servePoses(methods, request, context.monitor);
@@ -67,11 +71,13 @@ void addServe(CLI::App& app, Context& context) {
   const auto request = std::make_shared<ServeVerb>();
   verb->add_option("RECORDING", request->request.track.recording, "recording folder; or live cameras");
   addLiveOptions(*verb, request->cameras);
-  addVerifyingCoilOptions(*verb, request->cameras);
+  addCoilsOption(*verb, request->cameras.coil,
+                 "the coil, by name or its coil.json; with a rig its marker verifies the cameras");
   verb->add_option("--case", request->request.track.case_folder,
                    "with a recording: case folder; also serves the poses in the MRI, and MRI and surfaces on "
                    "request");
   verb->add_option("--target", request->request.track.target, "name of the target, for CoilToTarget");
+  addSecondTargetOption(*verb, request->request.track.second_target);
   verb->add_option("--port", request->outputs.port, "port of the OpenIGTLink server; 0: any free one")
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));

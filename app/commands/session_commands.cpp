@@ -10,16 +10,14 @@
 #include "facenav/coil_library/coil_library.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
+#include "json_output.h"
 
 namespace facenav::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void say(const Json& line) {
-  std::printf("%s\n", line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
-  std::fflush(stdout);
-}
+void say(const Json& line) { printJsonLine(line); }
 
 Json toJson(const casefile::Pulse& pulse) {
   Json json{{"pulse", pulse.number},
@@ -56,6 +54,21 @@ void setIntensity(const std::string& value, steps::Treatment& treatment) {
   treatment.setIntensity(pct);
 }
 
+/// Adds a pulse; with two coils it must be known which one gave it.
+void pressPulse(const std::string& coil, steps::Treatment& treatment) {
+  const std::string second = treatment.secondCoilName();
+  if (!coil.empty() && coil != treatment.coilName() && (second.empty() || coil != second))
+    throw Error("there is no coil '" + coil.substr(0, 60) + "' in this session");
+  if (coil.empty() && !treatment.knowsCoilOf("keyboard"))
+    throw Error("two coils are followed", {}, "say which one gave it: pulse COIL");
+  treatment.pressPulse(Timestamp::now(), coil);
+}
+
+void chooseSecondTarget(const std::string& name, steps::Treatment& treatment) {
+  if (treatment.secondCoilName().empty()) throw Error("there is no second coil");
+  treatment.chooseSecondTargetNamed(name);
+}
+
 void tellReading(const char* what, const guidance::TipReading& reading, const std::string& verdict,
                  steps::Treatment& treatment) {
   if (!verdict.empty() && verdict != "right" && verdict != "wrong")
@@ -78,7 +91,8 @@ std::string sessionCommandWords() {
   return "pause REASON, resume, target NAME, coil NAME, intensity PCT, mep UV, twitch y|n (of the newest "
          "pulse), check (the registration), tip (where the coil's tip is on the MRI's skin), tip right|wrong "
          "(a person's judgement of it), spot left|right X Y [right|wrong] (the same of a spot in a picture, "
-         "px), note WORDS (an adverse event), pulse (one was given now), end";
+         "px), note WORDS (an adverse event), pulse [COIL] (one was given now), second-target NAME, "
+         "take NAME (a target that --accept offered, into the plan), end";
 }
 
 bool SessionCommands::obey(const std::string& line, steps::Treatment& treatment) {
@@ -92,6 +106,10 @@ bool SessionCommands::obey(const std::string& line, steps::Treatment& treatment)
     treatment.resume();
   else if (word == "target")
     treatment.chooseTargetNamed(rest);
+  else if (word == "take")
+    orders_.take(rest, casefile::CaseStore::open(case_folder_), "");
+  else if (word == "second-target")
+    chooseSecondTarget(rest, treatment);
   else if (word == "coil")
     treatment.chooseCoil(coil_library::findCoil(coil_library_, rest).model);
   else if (word == "intensity")
@@ -99,7 +117,7 @@ bool SessionCommands::obey(const std::string& line, steps::Treatment& treatment)
   else if (word == "mep" || word == "twitch")
     answer(word, rest, treatment);
   else if (word == "pulse")
-    treatment.pressPulse();
+    pressPulse(rest, treatment);
   else if (word == "check")
     treatment.checkRegistration();
   else if (word == "tip")

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "facenav/treat/live_orders.h"
 #include "facenav/treat/treatment.h"
 
 namespace facenav::app {
@@ -13,8 +14,10 @@ std::string sessionCommandWords();
 
 class SessionCommands {
  public:
-  /// `coil_library`: where the command `coil NAME` finds coils.
-  explicit SessionCommands(std::filesystem::path coil_library) : coil_library_(std::move(coil_library)) {}
+  /// `coil_library`: where the command `coil NAME` finds coils; `orders`: the targets that `take NAME` takes.
+  SessionCommands(std::filesystem::path coil_library, std::filesystem::path case_folder,
+                  steps::LiveOrders& orders)
+      : coil_library_(std::move(coil_library)), case_folder_(std::move(case_folder)), orders_(orders) {}
   /// Takes new commands and reports new events: checks, losses, and pulses once they are on the disk, so that
   /// a reported pulse survives a crash. Returns at once; false if the session must end.
   bool look(steps::Treatment& treatment);
@@ -26,7 +29,8 @@ class SessionCommands {
   void judgeSpot(const std::string& words, steps::Treatment& treatment);
   void tell(steps::Treatment& treatment);
 
-  std::filesystem::path coil_library_;
+  std::filesystem::path coil_library_, case_folder_;
+  steps::LiveOrders& orders_;
   std::shared_ptr<const guidance::TipCheck> tip_check_;  // made at the first use
   std::string input_;
   bool has_begun_ = false, has_input_ = true, is_check_due_ = false, is_camera_away_ = false;

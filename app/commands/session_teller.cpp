@@ -11,6 +11,8 @@ constexpr double kLastsAtLeast_s = 0.33;
 
 std::string wrongIn(const session::NavigationState& state) {
   std::string words = session::lossInWords(state);
+  const std::string second = session::secondCoilLossInWords(state);
+  if (!second.empty()) words += (words.empty() ? "" : "; ") + state.second->name + ": " + second;
   if (session::isCameraAway(state)) words += " (" + session::rigFault(state)->words() + ")";
   return words;
 }

@@ -6,10 +6,13 @@
 #include "commands/pulse_keys.h"
 #include "commands/session_commands.h"
 #include "commands/session_teller.h"
+#include "commands/two_coils.h"
 #include "facenav/capture/recording.h"
 #include "facenav/core/error.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/links/igtl_client.h"
-#include "facenav/treat/served_coil.h"
+#include "facenav/treat/live_orders.h"
+#include "facenav/treat/served_tracker.h"
 #include "facenav/treat/session_return.h"
 #include "idle_options.h"
 #include "json_output.h"
@@ -44,7 +47,34 @@ steps::LiveCameras liveOf(const SessionVerb& verb, const Context& context) {
   return live;
 }
 
+/// Throws WrongUsage if options of another tracker contradict each other or the rest.
+void requireWholeTracker(const SessionVerb& verb) {
+  if (!verb.isWithoutCameras()) {
+    if (!verb.tracker.empty() && verb.tracker_pose.empty())
+      throw WrongUsage("--tracker alone does not say how that tracker stands to the head",
+                       "give --tracker-pose with the cameras, or --tracker-head and --tracker-alignment");
+    return;
+  }
+  if (!verb.live.rig.empty() || !verb.recording.empty())
+    throw WrongUsage("--tracker-head is for a session without cameras", "leave out --live and the recording");
+  if (verb.goes_on) throw WrongUsage("--continue goes on with cameras", "leave it out with --tracker-head");
+  if (verb.tracker_second.empty() != verb.coil.second.empty())
+    throw WrongUsage("a second coil needs --coil twice and --tracker-second", "give both, or neither");
+}
+
+void addTwoCoils(const SessionVerb& verb, steps::TreatRecordingRequest& request) {
+  if (verb.coil.second.empty() && !verb.second_target.empty())
+    throw WrongUsage("--second-target is for a second coil", "give --coil twice, or leave it out");
+  std::vector<std::string> others;  // sources that can name the coil with each pulse
+  if (verb.has_commands) others.push_back(kKeyboard);
+  if (!verb.outputs.accept.empty()) others.push_back(steps::kOrderSource);
+  request.coil_of_source = coilOfSourceFrom(verb.pulse_coils, verb.sources, others, verb.coil);
+  request.second_coil_file = secondCoilFile(verb.coil);
+  request.second_target = verb.second_target;
+}
+
 steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& context) {
+  requireWholeTracker(verb);
   steps::TreatRecordingRequest request;
   request.recording = verb.recording;
   request.case_folder = verb.case_folder;
@@ -64,7 +94,11 @@ steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& c
   request.speed = verb.speed;
   request.passes = verb.passes;
   if (!verb.live.rig.empty()) request.live = liveOf(verb, context);
-  if (!verb.tracker.empty())
+  addTwoCoils(verb, request);
+  if (verb.isWithoutCameras())
+    request.other_tracker = steps::OtherTracker{verb.tracker, verb.tracker_head, verb.tracker_second,
+                                                verb.tracker_alignment, verb.seconds};
+  else if (!verb.tracker.empty())
     request.makeCoilTracker = [words = verb.tracker, pose = steps::readTrackerPose(verb.tracker_pose)] {
       return steps::makeServedCoilTracker(words, pose);
     };
@@ -79,6 +113,22 @@ bool hasKeyboard(const SessionVerb& verb) {
   return has;
 }
 
+links::LiveIncoming incomingOf(const SessionVerb& verb, steps::LiveOrders& orders) {
+  if (verb.outputs.accept.empty()) return {};
+  const auto accepted = links::incomingFrom(verb.outputs.accept);
+  return orders.incoming(accepted.takes_commands, accepted.takes_targets);
+}
+
+/// Prints what clients of the server sent; for another program as JSON on standard output.
+void tellOrders(const std::vector<steps::OrderNews>& news, bool is_json) {
+  for (const auto& each : news) {
+    if (is_json)
+      printJsonLine({{"order", each.words}, {"offered", each.offered}});
+    else
+      std::fprintf(stderr, "%s\n", each.words.c_str());
+  }
+}
+
 }  // namespace
 
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session) {
@@ -86,9 +136,9 @@ void addLiveSessionOptions(CLI::App& verb, SessionVerb& session) {
                                "live cameras: a rig by its name, see 'facenav rig list'; the case is aligned "
                                "before, by 'facenav align CASE --live RIG'");
   verb.add_option("--rigs", session.live.rigs, "with --live: folder of the rigs")->needs(live);
-  verb.add_option("--seconds", session.seconds, "with --live: how long; default: until Ctrl-C")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->needs(live);
+  verb.add_option("--seconds", session.seconds,
+                  "with --live or --tracker-head: how long; default: until Ctrl-C")
+      ->check(CLI::Range(0.1, 86400.0));
 }
 
 void addSessionOptions(CLI::App& verb, SessionVerb& session) {
@@ -121,17 +171,39 @@ void addSessionOptions(CLI::App& verb, SessionVerb& session) {
   auto* tracker_pose =
       verb.add_option("--tracker-pose", session.tracker_pose,
                       "JSON file with camera_T_tracker: how that tracker stands to the left camera");
-  tracker->check(understoodBy(links::servedPoseFrom))->needs(tracker_pose);
+  tracker->check(understoodBy(links::servedPoseFrom));
   tracker_pose->needs(tracker);
+  auto* head =
+      verb.add_option("--tracker-head", session.tracker_head,
+                      "name of the head's pose at that tracker (SubjectToTracker): a session without "
+                      "cameras");
+  auto* alignment =
+      verb.add_option("--tracker-alignment", session.tracker_alignment,
+                      "JSON file: how the tool on the head stands to the MRI (mri_T_subject, or "
+                      "points touched on the head) and its error");
+  auto* second = verb.add_option("--tracker-second", session.tracker_second,
+                                 "name of the second coil's pose at that tracker");
+  head->needs(tracker)->needs(alignment)->excludes(tracker_pose);
+  alignment->needs(head);
+  second->needs(head);
+  addSecondTargetOption(verb, session.second_target);
+  verb.add_option(
+          "--pulse-coil", session.pulse_coils,
+          "with two coils: the coil that gives the pulses, by its name, or SOURCE=COIL for each source "
+          "of --pulses (keyboard too); may be repeated")
+      ->allow_extra_args(false);
   addOutputOptions(verb, session.outputs);
 }
 
 void refuseIdleSession(const CLI::App& verb, const std::vector<std::string>& starters) {
-  std::vector<std::string> options{"--intensity", "--field-coil", "--by",    "--override", "--continue",
-                                   "--commands",  "--tracker",    "--serve", "--address",  "--send"};
+  std::vector<std::string> options{"--intensity", "--field-coil", "--by",      "--override",
+                                   "--continue",  "--commands",   "--tracker", "--pulse-coil",
+                                   "--serve",     "--address",    "--send",    "--accept"};
   const bool starts_by_pulses = std::find(starters.begin(), starters.end(), "--pulses") != starters.end();
   if (!starts_by_pulses) options.push_back("--pulses");
   refuseIdle(verb, options, starters);
+  refuseIdle(verb, {"--seconds"}, {"--live", "--tracker-head"});
+}
 }
 
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
@@ -140,17 +212,21 @@ steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& contex
                      verb.live.rig.empty()
                          ? "give it with --case"
                          : "give it with --case (without a case: facenav record, then track)");
+  steps::LiveOrders orders;  // outlives the outputs in the request
   auto request = requestOf(verb, context);
   const bool has_keyboard = hasKeyboard(verb);
   noteInterrupted(verb, context);
-  if (verb.live.rig.empty()) capture::openRecording(verb.recording);  // missing: said before a port opens
-  request.outputs = openOutputs(verb.outputs, context.is_quiet);
-  SessionCommands commands(coil_library::coilLibrary(verb.coil.library));
+  if (verb.live.rig.empty() && !verb.isWithoutCameras())
+    capture::openRecording(verb.recording);  // missing: said before a port opens
+  request.outputs = openOutputs(verb.outputs, context.is_quiet, incomingOf(verb, orders));
+  SessionCommands commands(coil_library::coilLibrary(verb.coil.library), verb.case_folder, orders);
   SessionTeller teller(context.is_quiet || verb.has_commands || verb.is_json);
   std::optional<PulseKeys> keys;
   if (has_keyboard) keys.emplace(context.is_quiet);
+  const auto store = casefile::CaseStore::open(verb.case_folder);
   request.look = [&](steps::Treatment& treatment) {
     teller.look(treatment);
+    if (!verb.outputs.accept.empty()) tellOrders(orders.obey(treatment, store), verb.has_commands);
     if (keys && !keys->look(treatment)) return false;
     return !verb.has_commands || commands.look(treatment);
   };
@@ -172,6 +248,12 @@ void printSession(const steps::TreatRecordingOutcome& outcome, bool is_json) {
               outcome.session.filename().c_str(), pulses.on_target, pulses.outside, pulses.lost);
   std::printf("%d frames; %.1f ms a frame (median), %.1f ms (p99)\n", outcome.frames,
               outcome.processing_ms_median, outcome.processing_ms_p99);
+}
+
+void copySecondTable(const std::filesystem::path& table, const std::filesystem::path& output) {
+  const auto second = casefile::secondCoilPath(table);
+  if (std::filesystem::exists(second))
+    writeWholeFile(casefile::secondCoilPath(output), readWholeFile(second), FileAccess::owner_only);
 }
 
 void requireWholeSession(const steps::TreatRecordingOutcome& outcome) {

@@ -33,12 +33,18 @@ struct SessionVerb {
   OutputChoice outputs;
   std::string tracker;  // "igtl://HOST:PORT/NAME": the coil's pose; empty: the cameras'
   std::filesystem::path tracker_pose;
+  std::string tracker_head, tracker_second;  // names of head and second coil there; empty: the cameras'
+  std::filesystem::path tracker_alignment;
+  std::string second_target;
+  std::vector<std::string> pulse_coils;  // "SOURCE=COIL" or "COIL"
+  /// True if there are no cameras: head and coil are another tracker's.
+  bool isWithoutCameras() const { return !tracker_head.empty(); }
 };
 
 /// Adds --live, --rigs, --seconds.
 void addLiveSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Adds --pulses, --intensity, --field-coil, --by, --override, --continue, --session, --commands, --tracker,
-/// --serve, --send.
+/// its further options, --second-target, --pulse-coil, --serve, --send.
 void addSessionOptions(CLI::App& verb, SessionVerb& session);
 /// Throws WrongUsage if an option of a session was given and no session runs. `starters`: the options that
 /// start one in this verb.
@@ -48,6 +54,8 @@ void refuseIdleSession(const CLI::App& verb, const std::vector<std::string>& sta
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context);
 /// Prints pulses, frames and times in two lines, or as JSON.
 void printSession(const steps::TreatRecordingOutcome& outcome, bool is_json);
+/// Copies the session's table of the second coil beside `output`, if there is one.
+void copySecondTable(const std::filesystem::path& table, const std::filesystem::path& output);
 /// Throws Error if the session ended early. Call it after its results were written.
 void requireWholeSession(const steps::TreatRecordingOutcome& outcome);
 

@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "commands/session_verb.h"
+#include "commands/two_coils.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/track_recording.h"
 #include "idle_options.h"
@@ -28,6 +29,7 @@ void fillSession(const steps::TrackRequest& request, SessionVerb& session) {
 void treat(const SessionVerb& session, const std::filesystem::path& output, Context& context) {
   const auto outcome = runSession(session, context);
   casefile::writePoses(casefile::readPoses(outcome.session / "poses.csv"), output);
+  copySecondTable(outcome.session / "poses.csv", output);
   if (session.is_json || (!context.is_quiet && !session.has_commands)) printSession(outcome, session.is_json);
   requireWholeSession(outcome);
 }
@@ -36,10 +38,13 @@ void track(const steps::TrackRequest& request, const std::filesystem::path& outp
            Context& context) {
   const auto outcome = steps::trackRecording(context.registrations, request, context.monitor);
   casefile::writePoses(outcome.poses, output);
+  if (request.second_coil_file)
+    casefile::writePoses(outcome.second_poses, casefile::secondCoilPath(output), outcome.second_coil);
   if (is_json)
     return printJson({{"frames", outcome.frames},
                       {"head_tracked", outcome.head_tracked},
                       {"coil_tracked", outcome.coil_tracked},
+                      {"second_coil_tracked", outcome.second_tracked},
                       {"processing_ms_median", outcome.processing_ms_median},
                       {"processing_ms_p99", outcome.processing_ms_p99},
                       {"right_late_ms", outcome.right_late_ms},
@@ -48,6 +53,9 @@ void track(const steps::TrackRequest& request, const std::filesystem::path& outp
   std::printf("%d frames: head tracked in %d, coil in %d; %.1f ms a frame (median), %.1f ms (p99)\n",
               outcome.frames, outcome.head_tracked, outcome.coil_tracked, outcome.processing_ms_median,
               outcome.processing_ms_p99);
+  if (request.second_coil_file)
+    std::printf("second coil '%s' tracked in %d frames\n", outcome.second_coil.c_str(),
+                outcome.second_tracked);
   if (outcome.right_late_ms != 0)
     std::printf("the right camera exposes %.1f ms %s the left one: allowed for; better a trigger for both\n",
                 std::abs(outcome.right_late_ms), outcome.right_late_ms > 0 ? "after" : "before");
@@ -72,14 +80,17 @@ void addPlaying(CLI::App& verb, SessionVerb& session) {
 
 void run(steps::TrackRequest request, SessionVerb session, const std::filesystem::path& output,
          Context& context) {
-  const bool is_live = !session.live.rig.empty();
-  if (is_live == !request.recording.empty())
-    throw WrongUsage(is_live ? "a recording and --live are both given" : "it is not said what to track",
+  const bool is_live = !session.live.rig.empty(), is_without = session.isWithoutCameras();
+  if (is_live + is_without + !request.recording.empty() != 1)
+    throw WrongUsage(is_live + is_without > 0
+                         ? "more than one of a recording, --live and --tracker-head is given"
+                         : "it is not said what to track",
                      "give a RECORDING, or --live RIG");
   fillSession(request, session);
-  if (is_live || !session.sources.empty()) return treat(session, output, context);
+  if (is_live || is_without || !session.sources.empty()) return treat(session, output, context);
   const auto library = coil_library::coilLibrary(session.coil.library);
   if (!session.coil.words.empty()) request.coil_file = coil_library::coilFileOf(session.coil.words, library);
+  request.second_coil_file = secondCoilFile(session.coil);
   track(request, output, session.is_json, context);
 }
 
@@ -98,11 +109,9 @@ void addTrack(CLI::App& app, Context& context) {
   addLiveSessionOptions(*verb, *session);
   verb->add_option("--case", request->case_folder,
                    "case folder: poses in the MRI's frame, aligned from the recording's capture/");
-  verb->add_option(
-      "--coil", session->coil.words,
-      "the coil: its name in the library, or its coil.json (without it: one 60 mm marker, 4x4_50, "
-      "id 7)");
-  addCoilLibraryOption(*verb, session->coil.library);
+  addCoilsOption(*verb, session->coil,
+                 "the coil: its name in the library, or its coil.json (without it: one 60 mm marker, 4x4_50, "
+                 "id 7)");
   verb->add_flag("--keep-looks", request->keeps_key_frames,
                  "keep with the case how the face looked, so that it is found at once in the next session");
   verb->add_option("-o,--output", *output, "poses.csv to write")->required();
@@ -122,8 +131,8 @@ void addTrack(CLI::App& app, Context& context) {
   addPlaying(*verb, *session);
   verb->add_flag("--json", session->is_json, "the result as JSON");
   verb->callback([&context, request, output, session, verb] {
-    refuseIdleSession(*verb, {"--pulses", "--live"});
-    refuseIdle(*verb, {"--speed", "--passes", "--target"}, {"--pulses", "--live"});
+    refuseIdleSession(*verb, {"--pulses", "--live", "--tracker-head"});
+    refuseIdle(*verb, {"--speed", "--passes", "--target"}, {"--pulses", "--live", "--tracker-head"});
     run(*request, *session, *output, context);
   });
 }

@@ -16,11 +16,11 @@
 #include <QShortcut>
 #include <QtTest/QTest>
 
+#include "facenav/core/licences.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "prepare/prepare_workspace.h"
-#include "shell/about_words.h"
 #include "shell/appearance.h"
 #include "shell/help_window.h"
 #include "shell/main_window.h"
@@ -205,17 +205,18 @@ TEST_F(MenusTest, TheListOfShortcutsHoldsEveryKeyOfTheWindow) {
     EXPECT_TRUE(help().text().contains(words)) << words;
 }
 
-TEST_F(MenusTest, AboutNamesVersionLicenceAndTheLinkedLibraries) {
+TEST_F(MenusTest, AboutNamesVersionBuildAndTheLicenceOfEveryPart) {
   QApplication::setApplicationVersion("0.1.0 (commit 1a2b3c4d)");
   action("Help", "About FaceNav")->trigger();
   for (const char* words :
-       {"Version 0.1.0 (commit 1a2b3c4d)", "Apache-2.0", "Not a medical device", "LGPL-3.0"})
+       {"Version 0.1.0 (commit 1a2b3c4d)", "Built for", "Apache-2.0", "Not a medical device", "LGPL-3.0"})
     EXPECT_TRUE(help().text().contains(words)) << words;
   const auto loaded = QString::fromStdString(readWholeFile("/proc/self/maps"));
-  for (const auto& library : linkedLibraries()) {
-    EXPECT_TRUE(help().text().contains(library.name));
-    EXPECT_FALSE(library.licence.isEmpty());
-    EXPECT_TRUE(library.file.isEmpty() || loaded.contains("/" + library.file)) << library.name.toStdString();
+  for (const LicensedPart& part : licensedParts()) {
+    EXPECT_TRUE(help().text().contains(QString::fromStdString(part.name))) << part.name;
+    EXPECT_TRUE(help().text().contains(QString::fromStdString(part.licence))) << part.name;
+    for (const std::string& library : part.libraries)
+      EXPECT_TRUE(loaded.contains("/" + QString::fromStdString(library))) << part.name;
   }
 }
 

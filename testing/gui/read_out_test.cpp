@@ -37,6 +37,27 @@ TEST(ReadOut, GivesMillimetresWithOneDecimalAndWholeDegrees) {
   EXPECT_EQ(out.face.level, Level::good);
 }
 
+TEST(ReadOut, TheSecondCoilHasItsOwnLineAndNoFigureWhenItIsLost) {
+  EXPECT_TRUE(makeReadOut(trackedState()).second.isEmpty());
+  auto state = trackedState();
+  state.second.emplace();
+  auto& second = *state.second;
+  second.name = "B";
+  EXPECT_EQ(makeReadOut(state).second, "B: NO NEW IMAGES");
+  second.coil = Lost{LostReason::no_marker};
+  EXPECT_EQ(makeReadOut(state).second, "B: COIL NOT SEEN");
+  second.coil = {coil_tracking::CoilPose{}, 0.9};
+  second.camera_T_coil = {RigidTransform<Camera, Coil>(), 0.9};
+  EXPECT_EQ(makeReadOut(state).second, "B: tracked, no target");
+  second.chosen = state.chosen;
+  second.guidance = state.guidance;
+  second.guidance.state = guidance::State::on_target;
+  EXPECT_EQ(makeReadOut(state).second,
+            QString("B: on target, across 2.4, depth -1.0 mm, tilt 0") + QChar(0xb0));
+  EXPECT_EQ(makeReadOut(session::blanked(state, LostReason::stale)).second, "B: NO NEW IMAGES");
+  EXPECT_TRUE(whilePaused(makeReadOut(state), "PAUSED").second.isEmpty());
+}
+
 TEST(ReadOut, BlanksEveryFigureWhenLostOrStale) {
   for (auto reason : {LostReason::no_face, LostReason::few_features, LostReason::camera, LostReason::stale}) {
     const ReadOut out = makeReadOut(session::blanked(trackedState(), reason));

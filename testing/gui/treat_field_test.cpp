@@ -108,6 +108,15 @@ TEST_F(TreatField, ItIsThatOfTheHeldCoilAndGoesWithItsPose) {
   EXPECT_FALSE(field.picture());
   EXPECT_THAT(field.words().toStdString(), HasSubstr("no field: the pose of head or coil is not known"));
   ASSERT_TRUE(waitForField(field)) << "it comes back with the pose";
+  const int asked = field.computed();
+  EXPECT_TRUE(fixtures::waitFor([&] { return field.computed() >= asked + 10; })) << "without being asked for";
+  field.rest();
+  EXPECT_EQ(field.shown(), nullptr) << "the page is hidden";
+  fixtures::waitFor([] { return false; }, 50);
+  const int rested = field.computed();
+  fixtures::waitFor([] { return false; }, 200);
+  EXPECT_EQ(field.computed(), rested);
+  ASSERT_TRUE(waitForField(field));
   treat_.pause("coil too warm");
   field.follow(*treat_.state());
   EXPECT_FALSE(field.picture());

@@ -74,7 +74,9 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
   QTest::keyClick(&window, Qt::Key_P);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().pulseCounts().outside == 1; }));
   EXPECT_TRUE(fixtures::waitFor([&] { return verdict->property("is_bad").toBool(); }));
-  EXPECT_TRUE(treat->findChild<QLabel*>("session")->text().contains("1 outside"));
+  auto *pulses = treat->findChild<QLabel*>("session"), *counts = treat->findChild<QLabel*>("pulse_counts");
+  EXPECT_EQ(pulses->text().toStdString(), "pulses 2");
+  EXPECT_EQ(counts->text().toStdString(), "1 on target, 1 outside");
   for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1480, 860), QSize(1920, 1080)}) {
     window.resize(size);
     for (const auto& [tool, name] : {std::pair(Tool::aim, "aim"), std::pair(Tool::motor, "motor"),
@@ -82,6 +84,11 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
       treat->showTool(tool);
       QTest::qWait(400);
       EXPECT_EQ(window.size(), size);
+      for (const auto& [label, longest] :
+           {std::pair(pulses, "pulses 2990/3000"), std::pair(counts, "2970 on target, 10 outside, 10 lost")})
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(longest), label->width()) << longest << name;
+      EXPECT_TRUE(verdict->text().contains("OUTSIDE: ")) << verdict->text().toStdString();
+      EXPECT_LE(verdict->heightForWidth(verdict->width()), verdict->height()) << "told whole";
       if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
         window.grab().save(QString("%1/treat_%2_%3.png").arg(pictures).arg(size.width()).arg(name));
       if (tool == Tool::motor) expectInReach(*treat->findChild<MotorPanel*>());

@@ -256,6 +256,13 @@ TEST_F(TreatPresenterTest, PosesAreServedWhileTheSwitchIsOn) {
   ASSERT_TRUE(coil);
   EXPECT_LT((links::readTransform(coil->content)->matrix() - kMarker.matrix()).norm(), 1e-4);
   EXPECT_TRUE(client.nextPose("CoilToTarget"));
+  const QString server = "igtl:" + QString::number(port), others = "json:9, osc:9";
+  ASSERT_TRUE(treat_.sendTo(server + " " + others));
+  EXPECT_EQ(treat_.sendsTo(), (QStringList{server, "json:9", "osc:9"}));
+  EXPECT_TRUE(client.nextPose("CoilToTarget")) << "what was open stays open";
+  EXPECT_TRUE(treat_.setOtherOutputs(others));
+  EXPECT_FALSE(treat_.setOtherOutputs("json:9, osc:nowhere"));
+  EXPECT_EQ(treat_.otherOutputs(), others) << "remembered";
   EXPECT_TRUE(treat_.sendTo({}));
   EXPECT_FALSE(treat_.isSending());
   EXPECT_TRUE(client.isClosed());

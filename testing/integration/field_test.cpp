@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "facenav/plan/plan_edits.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/made_field_mesh.h"
 
 namespace facenav::testing {
 namespace {
@@ -95,6 +97,37 @@ TEST_F(Field, WritesFilesAndComparesThem) {
   EXPECT_EQ(runFacenav("field --case '" + case_.string() + "' --target deep --coil round -q").status, 0);
 }
 
+TEST_F(Field, AnImportedFieldIsATierOfItsTarget) {
+  FieldMeshLayout layout;
+  layout.brain_mm = 42;
+  const auto mesh = folder_.path() / "sim.msh";
+  const auto fieldOf = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, 0.02 * p.z(), 0); };
+  std::ofstream(mesh, std::ios::binary) << madeFieldMesh(layout, fieldOf);
+  const auto import = [&](const std::string& options) {
+    return runFacenav("import '" + case_.string() + "' " + at("sim.msh") + " " + options);
+  };
+  EXPECT_EQ(import("").status, 2) << "no target";
+  EXPECT_EQ(import("--target hotspot --didt 2 --dry-run").status, 0);
+  EXPECT_EQ(field("--target hotspot --tier 3").status, 1) << "nothing was kept";
+  const auto imported = import("--target hotspot --didt 2 --json");
+  ASSERT_EQ(imported.status, 0) << imported.errors;
+  EXPECT_NEAR(nlohmann::json::parse(imported.output)["maximum_v_per_m"], 0.02 * 38, 1e-6)
+      << "the highest element";
+  const auto run = field("--target hotspot --tier 3 --json");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json["tier"], 3);
+  EXPECT_TRUE(json["coil"].is_null());
+  EXPECT_EQ(json["rate_a_per_us"], 2);
+  EXPECT_NEAR(json["at_rate"]["target_v_per_m"], 0.02 * 40, 0.1);
+  EXPECT_EQ(json["regions"].size(), 3u);
+  EXPECT_THAT(field("--target hotspot --tier 3").output, HasSubstr("imported     maximum"));
+  EXPECT_THAT(field("--target hotspot --coil round").output, HasSubstr("--tier 3 shows it"));
+  EXPECT_EQ(field("--target deep --tier 3").status, 1) << "another pose";
+  EXPECT_EQ(field("--target hotspot --tier 3 --best strength").status, 2);
+  EXPECT_EQ(field("--target hotspot --coil figure8-70 --compare " + at("sim.msh")).status, 0);
+}
+
 TEST_F(Field, RefusesInOneLine) {
   const auto expect = [&](const std::string& arguments, int status, const std::string& words) {
     const auto run = field(arguments);
@@ -112,6 +145,7 @@ TEST_F(Field, RefusesInOneLine) {
   expect("--target deep --coil round --compare none.msh", 1, "none.msh");
   expect("--target deep --coil round --against nowhere", 1, "nowhere");
   expect("--coil round", 2, "--target");
+  expect("--target deep", 2, "--coil is required");
 }
 
 }  // namespace

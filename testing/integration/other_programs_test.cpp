@@ -7,7 +7,9 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/dicom/series.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/volume/nifti.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
 #include "support/made_session.h"
@@ -143,6 +145,71 @@ TEST_F(OtherPrograms, PulsesBecomeASession) {
   EXPECT_EQ(runFacenav("sessions " + quoted(empty_.folder())).status, 0);
 }
 
+TEST_F(OtherPrograms, AWholeCaseGoesOutAsADataSetAndComesBack) {
+  writeMadeSession(full_.folder(), full_.targets().targets.front(), {});
+  full_.setLabel("Anna Example");
+  EXPECT_EQ(exportAs("nibs-bids", at("set"), "--subject 'Anna E'").status, 1) << "no label";
+  ASSERT_EQ(exportAs("nibs-bids", at("set"), "--subject P17").status, 0);
+  EXPECT_EQ(readText(at("set/sub-P17/anat/sub-P17_T1w.nii.gz")), readText(full_.folder() / "mri.nii.gz"));
+  EXPECT_EQ(exportAs("nibs-bids", at("set")).status, 1) << "not empty";
+  ASSERT_EQ(exportAs("nibs-bids", at("set"), "--replace").status, 0);
+  std::string names;
+  for (const auto& entry : fs::recursive_directory_iterator(at("set"))) {
+    names += entry.path().string() + "\n";
+    if (entry.is_regular_file()) EXPECT_THAT(readText(entry.path()), ::testing::Not(HasSubstr("Anna")));
+  }
+  EXPECT_THAT(names, ::testing::Not(HasSubstr("P17"))) << "replaced as a whole";
+  EXPECT_THAT(names, ::testing::Not(HasSubstr("Anna"))) << "the label is no code";
+  const auto imported = import(at("set"));
+  ASSERT_EQ(imported.status, 0) << imported.errors;
+  EXPECT_EQ(empty_.targets().targets.size(), 2u);
+  const auto sessions = casefile::sessionFolders(empty_.folder());
+  ASSERT_EQ(sessions.size(), 1u);
+  const auto before = casefile::readSessionPulses(casefile::sessionFolders(full_.folder()).front()).pulses;
+  const auto after = casefile::readSessionPulses(sessions.front()).pulses;
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].pulse.mri_T_coil().has_value(), before[i].pulse.mri_T_coil().has_value());
+    EXPECT_NEAR(*after[i].pulse.t_s, *before[i].pulse.t_s - *before[0].pulse.t_s, 2e-3);
+    if (after[i].pulse.mri_T_coil())
+      EXPECT_LT(poseError(*after[i].pulse.mri_T_coil(), *before[i].pulse.mri_T_coil()).translation_mm, 1e-5);
+  }
+  EXPECT_EQ(import(at("set")).status, 0);
+  EXPECT_EQ(casefile::sessionFolders(empty_.folder()).size(), 1u) << "a second import changes nothing";
+}
+
+TEST_F(OtherPrograms, OnlyADataSetOfFacenavIsReplaced) {
+  fs::create_directories(at("home"));
+  std::ofstream(at("home/thesis.txt")) << "work";
+  EXPECT_EQ(exportAs("nibs-bids", at("home"), "--replace").status, 1);
+  EXPECT_TRUE(fs::exists(at("home/thesis.txt")));
+  EXPECT_EQ(exportAs("nibs-bids", "-").status, 1);
+  EXPECT_EQ(exportAs("csv", at("t.csv"), "--subject a").status, 2);
+}
+
+TEST_F(OtherPrograms, ADataSetOfAnotherT1OrWithADoubtfulHandleIsRefused) {
+  ASSERT_EQ(exportAs("nibs-bids", at("set"), "--subject a").status, 0);
+  const auto system = at("set/sub-a/nibs/sub-a_task-tms_coordsystem.json");
+  std::string text = readText(system);
+  text.replace(text.find("y points away from the handle"), 29, "y runs along the handle");
+  writeWholeFile(system, text);
+  const auto asked = import(at("set"));
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_THAT(asked.errors, HasSubstr("its handle points"));
+  EXPECT_THAT(asked.errors, HasSubstr("--y-sign as-written or --y-sign flipped"));
+  EXPECT_EQ(import(at("set"), "--y-sign as-written --dry-run").status, 0);
+  EXPECT_EQ(import(at("set"), "--flip-handle --dry-run").status, 0);
+  EXPECT_EQ(import(at("set"), "--flip-handle --y-sign as-written").status, 2);
+  volume::Volume other = full_.mri();
+  for (auto& voxel : other.voxels) voxel = float(std::hash<float>()(voxel + 1) % 100);
+  other.grid.size[2] -= 2;
+  other.voxels.resize(other.grid.count());
+  volume::writeNifti(other, at("set/sub-a/anat/sub-a_T1w.nii.gz"));
+  const auto refused = import(at("set"), "--y-sign as-written");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("its T1 is another one: 50 x 50 x 48 voxels"));
+}
+
 TEST_F(OtherPrograms, ExportsAreForTheUserAloneAndReplaceNothingUnasked) {
   ASSERT_EQ(exportAs("csv", at("t.csv")).status, 0);
   EXPECT_EQ(fs::status(at("t.csv")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
@@ -152,6 +219,29 @@ TEST_F(OtherPrograms, ExportsAreForTheUserAloneAndReplaceNothingUnasked) {
   EXPECT_EQ(exportAs("csv stl", at("t")).status, 2);
   EXPECT_EQ(runFacenav("export " + quoted(full_.folder()) + " --as stl").status, 2)
       << "surfaces need a folder";
+}
+
+TEST_F(OtherPrograms, ThePlanGoesToTheArchiveAsASeriesOfTheSamePatient) {
+  dicom::writeSeries(ballWithBrain().mri, at("dicom"), {});
+  const std::string source = " --source " + quoted(at("dicom")), target = " --target 'M1 hand L'";
+  const auto unnamed = exportAs("dicom-mr", at("plan"), target);
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_THAT(unnamed.errors, HasSubstr("give their folder with --source"));
+  EXPECT_EQ(exportAs("stl", at("plan"), source).status, 2);
+  const auto several = exportAs("dicom-mr", at("plan"), source);
+  EXPECT_EQ(several.status, 1);
+  EXPECT_THAT(several.errors, HasSubstr("has 2 targets"));
+  const auto written = exportAs("dicom-mr", at("plan"), source + target);
+  ASSERT_EQ(written.status, 0) << written.errors;
+  EXPECT_THAT(written.output, HasSubstr("50 images"));
+  EXPECT_EQ(exportAs("dicom-mr", at("plan"), source + target).status, 1) << "nothing is replaced unasked";
+  EXPECT_EQ(exportAs("dicom-seg", at("plan.dcm"), source + target + " --target '左 DLPFC'").status, 0);
+  EXPECT_EQ(exportAs("dicom-seg", at("plan.dcm"), source + target).status, 1);
+  const auto listed = Json::parse(runFacenav("series " + quoted(at("plan")) + " --json --patients").output);
+  ASSERT_EQ(listed.size(), 1u);
+  EXPECT_THAT(listed[0].dump(), HasSubstr("FaceNav, not for diagnosis: M1 hand L"));
+  EXPECT_THAT(listed[0].dump(), HasSubstr("marks are drawn into its voxels"));
+  EXPECT_EQ(runFacenav("prepare " + quoted(at("plan")) + " -o " + quoted(at("again"))).status, 1);
 }
 
 TEST_F(OtherPrograms, DamagedFilesAreOneLine) {

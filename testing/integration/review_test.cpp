@@ -8,9 +8,11 @@
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
+#include "facenav/dicom/series.h"
 #include "facenav/session/treatment_log.h"
 #include "support/ball_case.h"
 #include "support/command_line.h"
+#include "support/made_xdf.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::testing {
@@ -103,7 +105,7 @@ TEST_F(Review, SessionPulsesExclusionsAndReportFromTheCommandLine) {
   EXPECT_THAT(readText(session_ / "report.html"), HasSubstr("Jane Doe"));
 }
 
-TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
+TEST_F(Review, MepsByTimeTypedOrMeasuredAreKeptAndRefusedWhereTheyCannotBe) {
   const std::string pulses = "pulses '" + case_.string() + "' ";
   const fs::path csv = folder_.path() / "emg.csv";
   {
@@ -125,6 +127,26 @@ TEST_F(Review, MepsByTimeOrTypedAreKeptAndRefusedWhereTheyCannotBe) {
     EXPECT_EQ(run(pulses + "--set-mep " + wrong).status, 2) << wrong;
   for (const char* absent : {"99=350", "2=-4"})
     EXPECT_EQ(run(pulses + "--set-mep " + absent).status, 1) << absent;
+
+  // Measured from a recording of LSL streams.
+  const auto session = casefile::readSessionPulses(session_);
+  // 20 ms apart: 0.19 s before the first and after the twelfth, only one is within 0.2 s.
+  const double first_s = *session.pulses[0].pulse.t_s - 0.19, last_s = *session.pulses[11].pulse.t_s + 0.19;
+  const fs::path xdf = folder_.path() / "emg.xdf";
+  std::ofstream(xdf, std::ios::binary) << twoPulsesXdf(first_s + 60, last_s + 60);
+  const std::string mep = pulses + "--mep '" + xdf.string() + "' ";
+  const auto other = run(mep + "--markers Other --offset=-60");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_EQ(std::count(other.errors.begin(), other.errors.end(), '\n'), 1) << other.errors;
+  EXPECT_EQ(run(mep + "--emg-unit inch").status, 2);
+  const auto taken = run(mep + "--emg Amplifier:FDI --markers Pulses:T --offset=-60");
+  EXPECT_EQ(taken.status, 0) << taken.errors;
+  EXPECT_THAT(taken.output, HasSubstr("2 MEPs from emg.xdf"));
+  EXPECT_THAT(taken.errors, HasSubstr("15 to 50 ms after the 2 markers"));
+  for (const std::size_t pulse : {0, 11})
+    EXPECT_EQ(casefile::readSessionPulses(session_).pulses[pulse].pulse.mep_uv, 120);
+  std::ofstream(xdf, std::ios::binary) << "XDF:broken";
+  EXPECT_EQ(run(mep).status, 1);
 }
 
 TEST_F(Review, TwoSessionsAreComparedByTheirMeanCoilPose) {
@@ -143,16 +165,29 @@ TEST_F(Review, TheReportIsAlsoAPdf) {
   if (!fs::exists(fs::path(FACENAV_CLI).parent_path() / "facenav-gui"))
     GTEST_SKIP() << "built without the window";
   const fs::path page = folder_.path() / "page.html", pdf = folder_.path() / "page.pdf";
-  const auto made = run("report '" + case_.string() + "' --pdf --no-pictures -o '" + page.string() + "'");
+  const fs::path object = folder_.path() / "page.dcm", source = folder_.path() / "dicom";
+  dicom::writeSeries(ballCase().mri, source, {});
+  const auto made = run("report '" + case_.string() + "' --pdf --no-pictures -o '" + page.string() +
+                        "' --dicom '" + object.string() + "' --source '" + source.string() + "'");
   ASSERT_EQ(made.status, 0) << made.errors;
   const std::string content = readText(pdf);
   EXPECT_EQ(content.substr(0, 5), "%PDF-");
   EXPECT_GT(content.size(), 20000u) << "with its charts";
   EXPECT_THAT(content, Not(HasSubstr("Jane")));
+  const std::string wrapped = readText(object);
+  EXPECT_NE(wrapped.find(content), std::string::npos) << "the PDF byte for byte";
+  EXPECT_NE(wrapped.find("Virtual^Patient"), std::string::npos) << "the patient of the source";
+  EXPECT_EQ(fs::status(object).permissions() & fs::perms::mask,
+            fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(fs::status(pdf).permissions() & fs::perms::mask, fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(Review, ASessionThatIsNotThereIsOneLineOfError) {
+TEST_F(Review, ASessionOrAPatientThatIsNotThereIsOneLineOfError) {
+  const std::string report = "report '" + case_.string() + "' --no-pictures ";
+  const auto unnamed = run(report + "--dicom '" + (folder_.path() / "a.dcm").string() + "'");
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_THAT(unnamed.errors, HasSubstr("give their folder with --source"));
+  EXPECT_EQ(run(report + "--source '" + folder_.path().string() + "'").status, 2);
   const auto missing = run("pulses '" + case_.string() + "' 19990101T000000Z");
   EXPECT_EQ(missing.status, 1);
   EXPECT_EQ(std::count(missing.errors.begin(), missing.errors.end(), '\n'), 1) << missing.errors;

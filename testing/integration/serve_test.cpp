@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <future>
 #include <memory>
 #include <thread>
@@ -72,6 +73,16 @@ TEST_F(Serve, OptionsThatDoNotFitAreWrongUsage) {
   const auto used = runFacenav(some + " --address 300.1.1.1");
   EXPECT_EQ(used.status, 1);
   EXPECT_THAT(used.errors, HasSubstr("is no address"));
+}
+
+TEST_F(Serve, AMissingLslIsSaidInOneLineWithItsRemedy) {
+  ::setenv("FACENAV_LSL", "/nowhere/liblsl.so", 1);
+  const auto result = runFacenav("serve " + recording() + " --port 0 --send lsl");
+  ::unsetenv("FACENAV_LSL");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("LSL is not installed"));
+  EXPECT_THAT(result.errors, HasSubstr("labstreaminglayer.org"));
+  EXPECT_THAT(result.errors, HasSubstr("FACENAV_LSL"));
 }
 
 }  // namespace

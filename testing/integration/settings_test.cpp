@@ -59,7 +59,7 @@ TEST_F(SettingsOfTheProgram, ThatAreWrongAreRefusedInOneLine) {
   EXPECT_THAT(refusalOf("--set segmentation.serch_mm=9"), HasSubstr("'segmentation.search_mm'"));
   EXPECT_THAT(refusalOf("--set segmentation.search_mm=99"), HasSubstr("allowed are 0 to 30 mm"));
   EXPECT_THAT(refusalOf("--set segmentation.search_mm=wide"), HasSubstr("'wide' is no number"));
-  EXPECT_THAT(refusalOf("--set head_tracking.identity_fewest_windows=60.5"), HasSubstr("whole number"));
+  EXPECT_THAT(refusalOf("--set head_tracking.step_fewest=60.5"), HasSubstr("whole number"));
   EXPECT_THAT(refusalOf("--settings " + at("mine.json"), 1), HasSubstr("mine.json"));
   std::ofstream(at("mine.json")) << R"({"segmentation.search_mm": "9"})";
   EXPECT_THAT(refusalOf("--settings " + at("mine.json"), 1), HasSubstr("segmentation.search_mm"));

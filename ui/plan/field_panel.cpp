@@ -41,6 +41,12 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   row->addWidget(rate_, 1);
   row->addWidget(unit_);
   form->addRow(tr("current"), row);
+  imported_ = new QCheckBox(tr("imported field (tier 3)"), this);
+  imported_->setToolTip(
+      tr("the field that another program computed for this pose, in place of the case's own model; only for "
+         "the pose for which it was imported"));
+  form->addRow(imported_);
+  connect(imported_, &QCheckBox::toggled, &presenter_, &FieldPresenter::preferImported);
   fluid_ = new QPushButton(this);
   fluid_->setObjectName("tool");
   form->addRow(fluid_);
@@ -73,15 +79,23 @@ void FieldPanel::showReach() {
   const QString words = presenter_.reachWords();
   reach_->setText(words.isEmpty() && presenter_.wanted() ? tr("measuring the region \u2026") : words);
   reach_->setVisible(!reach_->text().isEmpty());
+  fitMenu();
+}
+
+/// An open menu takes the new size of its words.
+void FieldPanel::fitMenu() {
   auto* menu = qobject_cast<QMenu*>(parentWidget());
   if (!menu || !menu->isVisible()) return;
   QActionEvent grown(QEvent::ActionChanged, menu->actions().first());
-  QApplication::sendEvent(menu, &grown);  // an open menu takes the new size
+  QApplication::sendEvent(menu, &grown);
 }
 
 void FieldPanel::showFluid() {
   const auto& fluid = presenter_.fluid();
-  fluid_->setText(fluid.words());
+  if (fluid_->text() != fluid.words()) {
+    fluid_->setText(fluid.words());
+    fitMenu();
+  }
   fluid_->setEnabled(fluid.isPossible() || fluid.isBuilding());
   fluid_->setToolTip(
       !fluid.failure().isEmpty()
@@ -100,8 +114,13 @@ void FieldPanel::choose(int item) {
 }
 
 void FieldPanel::showChoices() {
-  const QSignalBlocker quiet_switch(is_on_), quiet_rate(rate_);
+  const QSignalBlocker quiet_switch(is_on_), quiet_rate(rate_), quiet_import(imported_);
   is_on_->setChecked(presenter_.isOn());
+  imported_->setChecked(presenter_.prefersImported());
+  if (imported_->isHidden() == presenter_.hasImported()) {
+    imported_->setVisible(presenter_.hasImported());
+    fitMenu();
+  }
   rate_->setMaximum(mostRate(presenter_.rate().unit));
   rate_->setValue(presenter_.rate().value);
   unit_->setCurrentIndex(int(presenter_.rate().unit));

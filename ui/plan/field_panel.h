@@ -29,9 +29,10 @@ class FieldPanel : public QFrame {
   void showChoices();
   void showReach();
   void showFluid();
+  void fitMenu();
 
   FieldPresenter& presenter_;
-  QCheckBox* is_on_;
+  QCheckBox *is_on_, *imported_;
   QComboBox *coil_, *unit_;
   QDoubleSpinBox* rate_;
   QLabel* reach_;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "facenav/core/error.h"
 #include "prepare/prepare_queue.h"
 
 namespace facenav::ui {
@@ -14,6 +15,7 @@ const char* const kFieldShown = "plan/field_shown";
 const char* const kFieldCoil = "plan/field_coil";
 const char* const kFieldRate = "plan/field_rate";
 const char* const kFieldRateIsPercent = "plan/field_rate_is_pct";
+const char* const kPrefersImported = "plan/field_imported";
 
 steps::CurrentRate limitedRate(steps::CurrentRate rate) {
   rate.value = std::clamp(rate.value, kLeastRate, mostRate(rate.unit));
@@ -26,32 +28,25 @@ bool isSamePose(const guidance::Target& left, const guidance::Target& right) {
          left.cortex_point.mm == right.cortex_point.mm;
 }
 
+bool isSameImport(const std::optional<steps::ImportedField>& a,
+                  const std::optional<steps::ImportedField>& b) {
+  return a && b ? a->file == b->file && a->utc == b->utc : !a && !b;
+}
+
 bool isSameWish(const std::optional<steps::WantedField>& a, const std::optional<steps::WantedField>& b) {
   if (!a || !b) return !a && !b;
   const bool is_against_same =
       a->against && b->against ? a->against->name == b->against->name && isSamePose(*a->against, *b->against)
                                : !a->against && !b->against;
   return isSamePose(a->target, b->target) && a->coil == b->coil && a->rate == b->rate &&
-         a->drawn == b->drawn && a->threshold == b->threshold && is_against_same;
+         a->drawn == b->drawn && a->threshold == b->threshold && is_against_same &&
+         isSameImport(a->imported, b->imported);
 }
 
 /// Reads the case, or takes what was read unless another model was written meanwhile.
 std::shared_ptr<const steps::ReadHead> currentHead(const casefile::CaseStore& store,
                                                    std::shared_ptr<const steps::ReadHead> known) {
   return known && known->isCurrent(store) ? known : std::make_shared<const steps::ReadHead>(store);
-}
-
-/// The largest parts of a region, in a line of their own: "   Precentral_L 4.1, Postcentral_L 2.0".
-QString labelWords(const steps::FieldRegion& region) {
-  constexpr std::size_t kMost = 3;
-  constexpr double kLeast_ml = 0.05;  // shown as 0.1
-  std::vector<std::pair<std::string, double>> labels(region.by_label.begin(), region.by_label.end());
-  std::sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  QStringList words;
-  for (std::size_t i = 0; i < std::min(kMost, labels.size()); ++i)
-    if (labels[i].second >= kLeast_ml)
-      words << QString("%1 %2").arg(QString::fromStdString(labels[i].first)).arg(labels[i].second, 0, 'f', 1);
-  return words.isEmpty() ? QString() : "\n   " + words.join(", ");
 }
 
 }  // namespace
@@ -73,39 +68,12 @@ steps::CurrentRate rememberedFieldRate() {
   return limitedRate(rate);
 }
 
-QString doseWords(const steps::ThresholdDose& dose) {
-  const QString words = FieldPresenter::tr(
-                            "dose by field: %1 % of the output gives this target the field that "
-                            "%2 had at its threshold of %3 %")
-                            .arg(std::lround(dose.output_pct))
-                            .arg(QString::fromStdString(dose.hotspot))
-                            .arg(std::lround(dose.threshold_pct));
-  return dose.output_pct > 100 ? words + FieldPresenter::tr(": more than the stimulator has") : words;
-}
-
-QString strengthFigure(double strength) {
-  return QString::number(strength, 'f', strength >= 10 ? 0 : strength >= 1 ? 1 : 2);
-}
-
-QString modelWords(steps::FieldTier tier) {
-  const QString models[] = {FieldPresenter::tr("a local sphere"), FieldPresenter::tr("three shells"),
-                            FieldPresenter::tr("four shells with the fluid")};
-  return models[int(tier)];
-}
-
-QString differenceWords(const steps::PoseComparison& compared) {
-  const long change_pct = std::lround(100 * compared.change());
-  return FieldPresenter::tr("%1 % at the target, maximum %2 mm away, correlation %3")
-      .arg((change_pct < 0 ? QString() : QString("+")) + QString::number(change_pct))
-      .arg(std::lround(compared.peak_shift_mm))
-      .arg(compared.correlation, 0, 'f', 2);
-}
-
 FieldPresenter::FieldPresenter(PlanPresenter& plan, CaseModel& model, QObject* parent)
     : QObject(parent), plan_(plan), model_(model), fluid_(model) {
   is_on_ = settings_.value(kFieldShown, false).toBool();
   coil_ = rememberedFieldCoil();
   rate_ = rememberedFieldRate();
+  prefers_imported_ = settings_.value(kPrefersImported, true).toBool();
   for (auto signal : {&CaseModel::opened, &CaseModel::brainChanged})
     connect(&model_, signal, this, &FieldPresenter::forgetCase);
   connect(&plan_, &PlanPresenter::changed, this, &FieldPresenter::follow);
@@ -133,6 +101,12 @@ void FieldPresenter::setRate(const steps::CurrentRate& rate) {
   rate_ = limitedRate(rate);
   settings_.setValue(kFieldRate, rate_.value);
   settings_.setValue(kFieldRateIsPercent, rate_.unit == steps::CurrentRate::Unit::output_pct);
+  followChoice();
+}
+
+void FieldPresenter::preferImported(bool is_preferred) {
+  if (std::exchange(prefers_imported_, is_preferred) == is_preferred) return;
+  settings_.setValue(kPrefersImported, is_preferred);
   followChoice();
 }
 
@@ -199,16 +173,32 @@ void FieldPresenter::readThreshold() {
   if (model_.isOpen()) threshold_ = steps::hotspotThreshold(model_.current().store.folder());
 }
 
+/// Finds the field that was imported for the pose that the active target has now.
+void FieldPresenter::readImported() {
+  imported_.reset();
+  if (!model_.isOpen() || !plan_.active()) return;
+  try {
+    imported_ = steps::importedField(model_.current().store, *plan_.active());
+  } catch (const Error&) {  // damaged: 'facenav field' says so; here the field is computed
+  }
+}
+
 /// Drops the field if it is no longer that of the plan, and computes the new one.
 void FieldPresenter::follow() {
+  const bool had_imported = hasImported();
+  readImported();
   std::optional<steps::WantedField> next;
   if (is_on_ && is_in_sight_ && model_.isOpen() && plan_.active()) {
     next = steps::WantedField{*plan_.active(), coil_.toStdString(), rate_, drawn_};
     next->threshold = threshold_;
+    if (prefers_imported_) next->imported = imported_;
     const auto* other = steps::find(plan_.plan(), against_.toStdString());
     if (other && other->name != next->target.name) next->against = *other;
   }
-  if (isSameWish(next, wanted_)) return;
+  if (isSameWish(next, wanted_)) {
+    if (had_imported != hasImported()) emit changed();  // for what shows the choices
+    return;
+  }
   wanted_ = std::move(next);
   restart();
 }
@@ -296,63 +286,6 @@ std::optional<scene::Overlay> FieldPresenter::sliceOverlay() const {
   if (!shown_ || !reach_ || !reach_->in_brain || !model_.isOpen() || !model_.current().brain_mask)
     return std::nullopt;
   return scene::fieldOverlay(reach_->in_brain, model_.current().brain_mask, shown_->peak);
-}
-
-QString FieldPresenter::reachWords() const {
-  if (!shown_ || !reach_ || !reach_->regions || !head_) return {};
-  const QString surface = head_->surfaces().has_sulci ? tr("cortex") : tr("the brain's hull");
-  QStringList lines;
-  for (const auto& region : *reach_->regions)
-    lines << tr("above %1 %: %2 mm\u00b2 of %3, %4 ml of the brain")
-                     .arg(std::lround(100 * region.share))
-                     .arg(std::lround(region.area_mm2))
-                     .arg(surface)
-                     .arg(region.volume_ml, 0, 'f', 1) +
-                 labelWords(region);
-  return lines.join('\n');
-}
-
-QString FieldPresenter::againstWords() const {
-  if (!shown_ || !reach_ || !reach_->against || !wanted_ || !wanted_->against) return {};
-  return tr("against '%1': %2")
-      .arg(QString::fromStdString(wanted_->against->name), differenceWords(*reach_->against));
-}
-
-/// Says that the case's shells are older than its masks, and what is done about it.
-QString FieldPresenter::oldModelWords() const {
-  if (!head_ || !head_->isOutdated()) return {};
-  if (!build_failure_.isEmpty())
-    return tr("; the three shells are older than the masks and could not be built again: %1")
-        .arg(build_failure_);
-  return queue_ ? tr("; the three shells are older than the masks and are being built again")
-                : tr("; the three shells are older than the masks");
-}
-
-QString FieldPresenter::words() const {
-  if (!is_on_ || !model_.isOpen()) return {};
-  if (!plan_.active()) return tr("no target chosen, so there is no field");
-  if (!failure_.isEmpty()) return failure_;
-  if (!shown_) return tr("computing the electric field \u2026");
-  const QString strengths =
-      tr("E at target %1 V/m, along the normal %2; maximum %3 V/m, %4 mm from the target")
-          .arg(strengthFigure(shown_->at_target), strengthFigure(shown_->along_normal),
-               strengthFigure(shown_->peak))
-          .arg(std::lround(shown_->peak_distance_mm));
-  const QString dose = shown_->dose ? "\n" + doseWords(*shown_->dose) : QString();
-  return strengths +
-         tr("; at %1 A/us; tier %2: %3, usual error %4 %")
-             .arg(shown_->rate_A_per_us, 0, 'g', 4)
-             .arg(int(shown_->tier))
-             .arg(modelWords(shown_->tier))
-             .arg(std::lround(100 * shown_->usual_error)) +
-         oldModelWords() +
-         (fluid_.failure().isEmpty() ? QString()
-                                     : tr("; no model with the fluid: %1").arg(fluid_.failure())) +
-         dose;
-}
-
-QString FieldPresenter::barWords() const {
-  return shown_ ? tr("|E|, tier %1").arg(int(shown_->tier)) : QString();
 }
 
 }  // namespace facenav::ui

@@ -32,6 +32,12 @@ class FieldPresenter : public QObject {
   steps::CurrentRate rate() const { return rate_; }
   void setRate(const steps::CurrentRate& rate);
 
+  /// True if a field was imported for the active target's pose (tier 3).
+  bool hasImported() const { return imported_.has_value(); }
+  /// Shows the imported field in place of the computed one, where there is one.
+  bool prefersImported() const { return prefers_imported_; }
+  void preferImported(bool is_preferred);
+
   /// Sets the target whose pose is compared with the active one's; empty: none.
   void setAgainst(const QString& target);
   /// Has models of the head that are older than their masks built again by this queue.
@@ -75,6 +81,7 @@ class FieldPresenter : public QObject {
  private:
   void forgetCase();
   void readThreshold();
+  void readImported();
   void follow();
   void followChoice();
   void restart();
@@ -84,6 +91,7 @@ class FieldPresenter : public QObject {
   void fail(const QString& words);
   void takeModel(const QString& folder, const QString& failure);
   QString oldModelWords() const;
+  QString importedWords() const;
   void takeNewModel();
   void keep(std::shared_ptr<const steps::ReadHead> head, int subject);
 
@@ -92,11 +100,12 @@ class FieldPresenter : public QObject {
   FluidPresenter fluid_;
   QSettings settings_;
   TaskRunner runner_;
-  bool is_on_ = false, is_in_sight_ = false;
+  bool is_on_ = false, is_in_sight_ = false, prefers_imported_ = false;
   QString coil_, failure_, against_, build_failure_;
   steps::CurrentRate rate_;
   std::shared_ptr<const surface::TriangleMesh> drawn_;
   std::optional<steps::HotspotThreshold> threshold_;
+  std::optional<steps::ImportedField> imported_;
   std::shared_ptr<const steps::ReadHead> head_;
   std::optional<steps::WantedField> wanted_;
   std::optional<steps::PlannedField> shown_;

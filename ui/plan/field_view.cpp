@@ -14,13 +14,12 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLine_px = 17;                        // of text, as sized() takes it
 constexpr int kWordsLines = 4, kProposalLines = 2;  // that are always there: what is below stays in place
 
 /// Gives a label the height of its lines, and more if its text needs more.
 void fitHeight(QLabel& label, int lines) {
-  label.setMinimumHeight(
-      std::max(sized(kLine_px * lines), label.text().isEmpty() ? 0 : label.heightForWidth(label.width())));
+  label.setMinimumHeight(std::max(sized(kTextLine_px * lines),
+                                  label.text().isEmpty() ? 0 : label.heightForWidth(label.width())));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ PulsesPage::PulsesPage(ReviewPresenter& presenter, CaseModel& model, QWidget* pa
     : QWidget(parent),
       presenter_(presenter),
       model_(model),
+      field_map_(presenter, model),
       scene_(new SceneView(this)),
       layer_(std::make_unique<scene::PulseLayer>(scene_->scene())),
       map_words_(new QLabel(this)),
@@ -89,16 +90,33 @@ QWidget* PulsesPage::makeChoice() {
   legend_ = new ColourLegend(bar);
   heat_ = new QCheckBox(tr("MEP map"), bar);
   heat_->setToolTip(tr("the MEPs, smoothed over the brain's surface, in place of the pulses"));
+  by_field_ = new QCheckBox(tr("by field"), bar);
+  by_field_->setToolTip(
+      tr("which place of the cortex explains the MEPs, by the electric field of each pulse there: R2 of the "
+         "MEPs on the field; coil as in Plan; what it means: the manual's page 'Field'"));
   skin_ = new QCheckBox(tr("skin"), bar);
   skin_->setToolTip(tr("shows the scalp over the brain"));
   skin_->setChecked(true);
   row->addWidget(column_);
   row->addWidget(legend_, 1);
   row->addWidget(heat_);
+  row->addWidget(by_field_);
   row->addWidget(skin_);
   connect(column_, QOverload<int>::of(&QComboBox::activated), this,
           [this](int i) { presenter_.setColumn(report::PulseColumn(i)); });
-  connect(heat_, &QCheckBox::toggled, this, &PulsesPage::showPulses);
+  connect(heat_, &QCheckBox::toggled, this, [this](bool is_shown) {
+    if (is_shown) by_field_->setChecked(false);
+    showPulses();
+    showMapWords();
+  });
+  connect(by_field_, &QCheckBox::toggled, this, [this](bool is_shown) {
+    if (is_shown) heat_->setChecked(false);
+    field_map_.setOn(is_shown);
+  });
+  connect(&field_map_, &FieldMapPresenter::changed, this, [this] {
+    showPulses();
+    showMapWords();
+  });
   connect(skin_, &QCheckBox::toggled, this, [this](bool is_shown) {
     scene::SceneLayers layers;
     layers.scalp = is_shown;
@@ -137,8 +155,9 @@ void PulsesPage::showSession() {
   const bool has_map = session && session->map;
   heat_->setEnabled(has_map);
   if (!has_map) heat_->setChecked(false);
-  map_words_->setText(has_map ? mapWords(*session->map) : QString());
-  map_words_->setVisible(has_map);
+  by_field_->setEnabled(has_map);
+  if (!has_map) by_field_->setChecked(false);
+  showMapWords();
   showPulses();
   showCharts();
 }
@@ -152,11 +171,8 @@ void PulsesPage::showPulses() {
   if (!session) {
     layer_->set({});
     legend_->set({}, {}, 0, std::nullopt);
-  } else if (heat_->isChecked() && session->map) {
-    const scene::ColourRange range{0, session->map->peak_uv};
-    layer_->set({});
-    layer_->setHeat(session->brain->mesh, session->map->mep_uv, range);
-    legend_->set(tr("MEP"), "uV", 0, range);
+  } else if ((heat_->isChecked() && session->map) || isExplained(session)) {
+    showHeat(session);
   } else {
     const auto& pulses = session->kept.pulses.pulses;
     layer_->set(steps::marksOf(pulses, session->places, presenter_.column(),
@@ -166,6 +182,32 @@ void PulsesPage::showPulses() {
                  words.decimals, range);
   }
   scene_->refresh();
+}
+
+/// True if there is a map by field of this session that tells more than chance.
+bool PulsesPage::isExplained(const std::shared_ptr<const ReviewedSession>& session) const {
+  const auto* by_field = field_map_.shown();
+  return by_field && by_field->session == session && by_field->map.regression.is_explained;
+}
+
+void PulsesPage::showHeat(const std::shared_ptr<const ReviewedSession>& session) {
+  layer_->set({});
+  if (isExplained(session)) {
+    const auto* by_field = field_map_.shown();
+    const scene::ColourRange range{0, by_field->map.regression.r2};
+    layer_->setHeat(session->brain->mesh, by_field->r2, range);
+    return legend_->set(tr("R\u00b2 of the MEPs on the field"), {}, 2, range);
+  }
+  const scene::ColourRange range{0, session->map->peak_uv};
+  layer_->setHeat(session->brain->mesh, session->map->mep_uv, range);
+  legend_->set(tr("MEP"), "uV", 0, range);
+}
+
+void PulsesPage::showMapWords() {
+  const auto session = presenter_.session();
+  const bool has_map = session && session->map;
+  map_words_->setText(field_map_.isOn() ? field_map_.words() : has_map ? mapWords(*session->map) : QString());
+  map_words_->setVisible(!map_words_->text().isEmpty());
 }
 
 void PulsesPage::showCharts() {

@@ -171,16 +171,17 @@ void ReviewPresenter::typeMep(int number, const QString& typed) {
   });
 }
 
-void ReviewPresenter::importMeps(const QString& csv, std::optional<double> offset_s) {
+void ReviewPresenter::importMeps(const QString& path, std::optional<double> offset_s, const QString& xdf) {
   attempt([&] {
-    const auto file = steps::readMepFile(csv.toStdString());
-    const auto match =
-        steps::matchMeps(file, session_->kept.pulses.pulses, offset_s, settingsOf<steps::MepImportLimits>());
+    const auto& limits = settingsOf<steps::MepImportLimits>();
+    const auto file = steps::readMepFile(path.toStdString(), steps::xdfChoiceFrom(xdf.toStdString()), limits);
+    const auto match = steps::matchMeps(file, session_->kept.pulses.pulses, offset_s, limits);
     if (match.edits.empty())
       throw Error("no MEP is at the time of a pulse", file.name, "is it this session's file?");
     editor_.setMeps(match.edits);
     QString words = QString::fromStdString(steps::mepMatchWords(match, file));
     if (!match.left_out.empty()) words += ": " + QString::fromStdString(match.left_out.front());
+    for (const auto& note : file.notes) words += "; " + QString::fromStdString(note);
     emit said(words);
   });
 }

@@ -57,8 +57,9 @@ class ReviewPresenter : public QObject {
   void include(const std::vector<int>& numbers, const QString& by);
   /// Sets the MEP of a pulse from typed text; empty: not known.
   void typeMep(int number, const QString& typed);
-  /// Imports MEPs. `offset_s`: offset of the clocks; estimated if empty. said() reports the result.
-  void importMeps(const QString& csv, std::optional<double> offset_s);
+  /// Imports MEPs from a CSV or XDF file. `offset_s`: offset of the clocks; estimated if empty. `xdf`: what
+  /// to take from an XDF (steps::xdfChoiceFrom). said() reports the result.
+  void importMeps(const QString& file, std::optional<double> offset_s, const QString& xdf = {});
   /// Adds a file that a session at home sent back as a session of the case, and chooses it. said() reports
   /// what was added.
   void addReturned(const QString& file);

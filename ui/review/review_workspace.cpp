@@ -111,7 +111,8 @@ QWidget* ReviewWorkspace::makeFiles() {
   from_home_->setToolTip(tr("add the file that a session at home sent back"));
   meps_ = new QPushButton(tr("MEPs\u2026"), bar);
   meps_->setToolTip(
-      tr("import from a CSV file with utc or t_s, and mep_uv; each goes to the pulse at its time"));
+      tr("import from a CSV file with utc or t_s, and mep_uv, or from an XDF recording with markers and EMG; "
+         "each goes to the pulse at its time"));
   row->addWidget(from_home_);
   row->addWidget(meps_);
   row->addStretch(1);
@@ -144,16 +145,25 @@ void ReviewWorkspace::setPage(ReviewPage page) {
   pages_->setCurrentIndex(int(page));
 }
 
-/// Asks for the offset only if the user knows it; an empty field lets it be estimated.
+/// Asks for what only the user may know: streams of a recording, the offset of the clocks. An empty field
+/// lets it be found.
 void ReviewWorkspace::chooseMeps() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("MEPs by time"), {}, tr("CSV (*.csv)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("MEPs by time"), {},
+                                                    tr("CSV, or XDF of LabRecorder (*.csv *.xdf)"));
   if (file.isEmpty()) return;
-  bool is_given = false;
+  bool is_given = true;
+  QString xdf;
+  if (file.endsWith(".xdf", Qt::CaseInsensitive))
+    xdf = QInputDialog::getText(
+        this, tr("EMG and markers"),
+        tr("STREAM:CHANNEL of the EMG; STREAM:MARKER of the pulses; uV or mV. Empty: find them"),
+        QLineEdit::Normal, {}, &is_given);
+  if (!is_given) return;
   const QString words = QInputDialog::getText(
       this, tr("Offset of the clocks"), tr("Seconds from the file's clock to the session's; empty: find it"),
       QLineEdit::Normal, {}, &is_given);
   if (!is_given) return;
-  presenter_.importMeps(file, typedNumber(words));
+  presenter_.importMeps(file, typedNumber(words), xdf);
 }
 
 void ReviewWorkspace::showState() {

@@ -74,9 +74,13 @@ void addTreating(Services& services, const MakeMethods& makeMethods) {
   services.seeAlignment = steps::seeAlignment;
   services.makeNavigator = [makeMethods](const session::NavigatorSetup& setup) {
     const auto all = makeMethods();
-    return std::make_unique<session::Navigator>(setup,
-                                                all.head_trackers.create(all.head_trackers.defaultName()),
-                                                all.coil_trackers.create(all.coil_trackers.defaultName()));
+    const auto& coil_tracker = all.coil_trackers.defaultName();
+    auto navigator =
+        std::make_unique<session::Navigator>(setup, all.head_trackers.create(all.head_trackers.defaultName()),
+                                             all.coil_trackers.create(coil_tracker));
+    if (setup.second_coil)
+      navigator->addSecondCoil(*setup.second_coil, all.coil_trackers.create(coil_tracker));
+    return navigator;
   };
 }
 

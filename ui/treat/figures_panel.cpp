@@ -165,7 +165,22 @@ void FiguresPanel::set(const ReadOut& read_out) {
   predicted_->setText(read_out.predicted);
   gap_->setText(read_out.gap);
   gap_->setToolTip(read_out.gap_tip);
+  showSecond(read_out.second);
   setDoubtful(read_out.gap_disagrees);
+}
+
+void FiguresPanel::showSecond(const QString& words) {
+  if (!second_ && words.isEmpty()) return;
+  if (!second_) {
+    second_ = new QLabel(this);
+    second_->setObjectName("second_coil_words");
+    second_->setAlignment(Qt::AlignCenter);
+    second_->setWordWrap(true);
+    second_->setToolTip(tr("the second coil against its own target; it is the faint coil in the scene"));
+    layout()->addWidget(second_);
+  }
+  second_->setText(words);
+  second_->setVisible(!words.isEmpty());
 }
 
 void FiguresPanel::setDoubtful(bool is_doubtful) {

@@ -42,7 +42,9 @@ class FiguresPanel : public QFrame {
   int needed_px_ = 0;
   ReadOut read_out_;
   QString fitted_;  // inputs for which the banner's letters were fitted
-  QLabel *predicted_, *gap_;
+  void showSecond(const QString& words);
+
+  QLabel *predicted_, *gap_, *second_ = nullptr;  // second_: made with the first words of a second coil
 };
 
 }  // namespace facenav::ui

@@ -26,7 +26,10 @@ LiveFieldPresenter::LiveFieldPresenter(TreatPresenter& treat, CaseModel& model, 
 void LiveFieldPresenter::setOn(bool is_on) {
   if (std::exchange(is_on_, is_on) == is_on) return;
   QSettings().setValue(kFieldShown, is_on);
-  if (is_on_) readChoices();
+  if (is_on_)
+    readChoices();
+  else
+    rest();
   use();
 }
 
@@ -61,17 +64,18 @@ void LiveFieldPresenter::follow(const session::NavigationState& state) {
     if (const auto* target = treat_.target()) worker_.plan(*target);
   followDose();
   if (!is_on_) return;
+  worker_.follow(treat_.guidedStates());  // none in a pause
   is_paused_ = treat_.isPaused();
-  const auto pose = is_paused_ ? std::nullopt : steps::livePose(state);
-  has_pose_ = pose.has_value();
+  has_pose_ = !is_paused_ && steps::livePose(state);
   gap_mm_ = state.gap.by_poses_mm;
-  if (pose)
-    worker_.ask(*pose);
-  else
-    worker_.forget();
   shown_ = worker_.latest();
   if (shown_ && !(has_pose_ && steps::mayBeShown(*shown_, state))) shown_.reset();
   emit changed();
+}
+
+void LiveFieldPresenter::rest() {
+  worker_.follow(nullptr);
+  shown_.reset();
 }
 
 void LiveFieldPresenter::followDose() {

@@ -24,8 +24,11 @@ class LiveFieldPresenter : public QObject {
   /// Reads the choices of Plan and the motor threshold again: the page comes into sight, or a threshold was
   /// found.
   void readChoices();
-  /// Takes the state that the page shows; about 30 times a second.
+  /// Takes the state that the page shows, and the newest field that may be shown with it. The fields are
+  /// computed of the session's states beside the page, however seldom it asks.
   void follow(const session::NavigationState& state);
+  /// Computes no field until the next follow(): the page is hidden.
+  void rest();
 
   /// The field that may be shown with the last state; null: none.
   const steps::LiveField* shown() const { return shown_.get(); }

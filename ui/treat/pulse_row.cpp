@@ -6,11 +6,25 @@
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
+#include "shell/appearance.h"
 #include "shell/elided_label.h"
+#include "shell/narrow_label.h"
 
 namespace facenav::ui {
 namespace {
+
+constexpr int kLastPulse_px = 29;  // the style sheet's 22 pt
+
+/// The first two reasons, and how many more there are: two lines at most. The tool tip has all.
+QString shortReason(const std::string& reason) {
+  QStringList parts = QString::fromStdString(reason).split("; ");
+  constexpr int kShown = 2;
+  const int more = int(parts.size()) - kShown;
+  if (more <= 0) return parts.join("; ");
+  return parts.mid(0, kShown).join("; ") + PulseRow::tr("; and %1 more").arg(more);
+}
 
 QString verdictWords(const session::JudgedPulse& pulse) {
   if (pulse.status == casefile::PulseStatus::on_target)
@@ -20,7 +34,7 @@ QString verdictWords(const session::JudgedPulse& pulse) {
   return PulseRow::tr("%1 PULSE %2 %3: %4")
       .arg(QChar(0x2715))
       .arg(pulse.number)
-      .arg(verdict, QString::fromStdString(pulse.reason));
+      .arg(verdict, shortReason(pulse.reason));
 }
 
 }  // namespace
@@ -40,9 +54,13 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
   row->addWidget(pulses_, 1);
   row->addWidget(time_);
   row->addWidget(pulse_);
-  last_pulse_ = new ElidedLabel(this);
+  counts_ = new ElidedLabel(this);
+  counts_->setObjectName("pulse_counts");
+  last_pulse_ = new QLabel(this);
   last_pulse_->setObjectName("last_pulse");
+  makeNarrow(*last_pulse_);  // a pulse outside is told whole, in two lines if need be
   column->addLayout(row);
+  column->addWidget(counts_);  // a line of its own, always there: beside the time it would be cut
   column->addWidget(last_pulse_);
   // Uses pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
   // later.
@@ -61,18 +79,25 @@ void PulseRow::refresh() {
                         : time.isEmpty()   ? tr("no session")
                                            : pulseWords();
   if (words != pulses_->text()) pulses_->set(words);
+  const QString counts = time.isEmpty() ? QString() : countWords();
+  if (counts != counts_->text()) counts_->set(counts);
   time_->setText(time);
   pulse_->setEnabled(treat_.isRunning());
   showLastPulse();
 }
 
-/// "pulses 12 of 3000: 10 on target, 1 outside, 1 lost"; omits zero counts.
+/// "pulses 12/3000".
 QString PulseRow::pulseWords() const {
-  const auto counts = treat_.pulseCounts();
   QString words = tr("pulses %1").arg(treat_.pulses());
-  if (const auto planned = treat_.plannedPulses()) words += tr(" of %1").arg(*planned);
-  if (counts.outside + counts.lost == 0) return words;
-  words += tr(": %1 on target").arg(counts.on_target);
+  if (const auto planned = treat_.plannedPulses()) words += tr("/%1").arg(*planned);
+  return words;
+}
+
+/// "10 on target, 1 outside, 1 lost"; omits zero counts, and is empty while all are on target.
+QString PulseRow::countWords() const {
+  const auto counts = treat_.pulseCounts();
+  if (counts.outside + counts.lost == 0) return {};
+  QString words = tr("%1 on target").arg(counts.on_target);
   if (counts.outside > 0) words += tr(", %1 outside").arg(counts.outside);
   if (counts.lost > 0) words += tr(", %1 lost").arg(counts.lost);
   return words;
@@ -85,12 +110,27 @@ void PulseRow::showLastPulse() {
   if (number == shown_pulse_) return;
   if (number > shown_pulse_) sounds_.pulse();
   shown_pulse_ = number;
-  last_pulse_->set(last ? verdictWords(*last) : QString());
+  last_pulse_->setText(last ? verdictWords(*last) : QString());
+  last_pulse_->setToolTip(last ? QString::fromStdString(last->reason) : QString());
   const bool is_bad = last && last->status != casefile::PulseStatus::on_target;
-  if (last_pulse_->property("is_bad").toBool() == is_bad) return;
-  last_pulse_->setProperty("is_bad", is_bad);
-  last_pulse_->style()->unpolish(last_pulse_);
-  last_pulse_->style()->polish(last_pulse_);
+  if (last_pulse_->property("is_bad").toBool() != is_bad) {
+    last_pulse_->setProperty("is_bad", is_bad);
+    last_pulse_->style()->unpolish(last_pulse_);
+    last_pulse_->style()->polish(last_pulse_);
+  }
+  fitLastPulse();
+}
+
+/// Gives the last pulse's words the height of their lines.
+void PulseRow::fitLastPulse() {
+  const int needed_px = last_pulse_->text().isEmpty() ? 0 : last_pulse_->heightForWidth(last_pulse_->width());
+  last_pulse_->setMinimumHeight(std::max(sized(kLastPulse_px), needed_px));
+}
+
+void PulseRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();  // the label's width is the new one
+  fitLastPulse();
 }
 
 }  // namespace facenav::ui

@@ -26,9 +26,14 @@ class PulseRow : public QWidget {
   /// Refreshes the row; called about 30 times a second.
   void refresh();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QString pulseWords() const;
+  QString countWords() const;
   void showLastPulse();
+  void fitLastPulse();
 
   TreatPresenter& treat_;
   SessionSounds& sounds_;
@@ -36,7 +41,8 @@ class PulseRow : public QWidget {
   ElidedLabel* pulses_;
   QLabel* time_;
   QPushButton* pulse_;
-  ElidedLabel* last_pulse_;
+  ElidedLabel* counts_;
+  QLabel* last_pulse_;
   int shown_pulse_ = 0;
 };
 

@@ -51,6 +51,24 @@ void addGap(const guidance::CoilGap& gap, ReadOut& out) {
   out.gap_tip = QString::fromStdString(disagreementInWords(gap)) + ". " + out.gap_tip;
 }
 
+/// The second coil in one line. Lost: its name and why, without a figure.
+QString secondInWords(const session::NavigationState& state) {
+  if (!state.second) return {};
+  const QString name = QString::fromStdString(state.second->name);
+  const std::string loss = session::secondCoilLossInWords(state);
+  if (!loss.empty()) return tr("%1: %2").arg(name, QString::fromStdString(loss.substr(0, loss.find(':'))));
+  const auto& g = state.second->guidance;
+  if (!g.values || g.state == guidance::State::lost)
+    return state.camera_T_mri && !state.second->chosen ? tr("%1: tracked, no target").arg(name)
+                                                       : tr("%1: tracked").arg(name);
+  const double depth_mm = std::abs(g.values->depth_mm) < 0.05 ? 0.0 : g.values->depth_mm;
+  return tr("%1: %2, across %3, depth %4 mm, tilt %5")
+      .arg(name, g.state == guidance::State::on_target ? tr("on target") : tr("adjust"),
+           millimetres(g.values->lateral_mm),
+           (depth_mm > 0 ? QStringLiteral("+") : QString()) + millimetres(depth_mm),
+           whole(g.values->tilt_rad * kDegPerRad, false));
+}
+
 }  // namespace
 
 ReadOut makeReadOut(const session::NavigationState& state) {
@@ -72,6 +90,7 @@ ReadOut makeReadOut(const session::NavigationState& state) {
   out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
   out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
   addGap(state.gap, out);
+  out.second = secondInWords(state);
   const auto& g = state.guidance;
   const bool has_values = g.values.has_value() && g.state != guidance::State::lost;
   if (has_values) {
@@ -100,6 +119,7 @@ ReadOut whilePaused(ReadOut read_out, const QString& words) {
   read_out.gap.clear();
   read_out.gap_tip.clear();
   read_out.gap_disagrees = false;
+  read_out.second.clear();
   read_out.instruction = words;
   read_out.level = Level::idle;
   return read_out;

@@ -22,6 +22,7 @@ struct ReadOut {
   QString instruction;
   Level level = Level::lost;
   Chip cameras, face, coil;
+  QString second;  // the second coil: "B: on target, across 1.2, depth +0.4 mm, tilt 2\u00b0"; empty: none
   QString timing;  // "4.1 ms   0 dropped"
 };
 

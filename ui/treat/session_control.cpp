@@ -10,6 +10,17 @@
 #include "treat/treat_presenter.h"
 
 namespace facenav::ui {
+namespace {
+
+/// Outputs in a text with blanks or commas between them, each once.
+QStringList outputsIn(QString words) {
+  QStringList outputs = words.replace(',', ' ').simplified().split(' ', Qt::SkipEmptyParts);
+  outputs.removeDuplicates();
+  return outputs;
+}
+
+}  // namespace
+
 void TreatPresenter::listen() {
   if (pulse_source_.isEmpty() || !isRunning()) return;
   if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
@@ -31,17 +42,84 @@ bool TreatPresenter::setPulseSource(const QString& words) {
   return true;
 }
 
-bool TreatPresenter::sendTo(const QString& words) {
-  bool is_opened = true;
+void TreatPresenter::chooseSecondCoil(const QString& name) {
+  second_.chooseCoil(name);
+  emit changed();
+}
+
+void TreatPresenter::choosePulseCoil(const QString& coil) {
+  second_.choosePulses(coil);
+  emit changed();
+}
+
+void TreatPresenter::chooseSecondTarget(const QString& name) {
+  second_.chooseTarget(name);
   try {
-    outputs_->close();
-    if (!words.isEmpty()) outputs_->open(words.toStdString());
+    if (isRunning() && !treatment_->secondCoilName().empty()) {
+      if (name.isEmpty())
+        treatment_->chooseSecondTarget(std::nullopt, {});
+      else
+        treatment_->chooseSecondTargetNamed(name.toStdString());
+    }
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
+  emit changed();
+}
+
+QStringList TreatPresenter::targetNames() const {
+  QStringList names;
+  if (model_.isOpen())
+    for (const auto& target : model_.current().plan.targets) names << QString::fromStdString(target.name);
+  return names;
+}
+
+QString TreatPresenter::obeyOrders() {
+  if (!isRunning() || !model_.isOpen()) return {};
+  QString newest;
+  try {
+    for (const auto& news : orders_.obey(*treatment_, model_.current().store))
+      newest = QString::fromStdString(news.words);
+  } catch (const Error& error) {
+    newest = QString::fromUtf8(error.what());
+  }
+  if (!newest.isEmpty()) emit changed();  // a command may have paused the session
+  return newest;
+}
+
+bool TreatPresenter::sendTo(const QString& words, bool accepts) {
+  bool is_opened = true;
+  const QStringList wanted = outputsIn(words), open = sendsTo();
+  for (const auto& each : open)
+    if (!wanted.contains(each)) outputs_->close(each.toStdString());
+  try {
+    for (const auto& each : wanted)
+      if (!open.contains(each)) outputs_->open(each.toStdString(), orders_.incoming(accepts, accepts));
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     is_opened = false;
   }
   emit changed();
   return is_opened;
+}
+
+QStringList TreatPresenter::sendsTo() const {
+  QStringList names;
+  for (const auto& each : outputs_->names()) names << QString::fromStdString(each);
+  return names;
+}
+
+QString TreatPresenter::otherOutputs() const { return QSettings().value(kOtherOutputs).toString(); }
+
+bool TreatPresenter::setOtherOutputs(const QString& words) {
+  try {
+    for (const auto& each : outputsIn(words)) links::requireLiveOutput(each.toStdString());
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return false;
+  }
+  QSettings().setValue(kOtherOutputs, words.trimmed());
+  return true;
 }
 
 QStringList TreatPresenter::receivers() const {

@@ -12,6 +12,7 @@
 #include "shell/appearance.h"
 #include "treat/outputs_row.h"
 #include "treat/screens_row.h"
+#include "treat/second_coil_row.h"
 
 namespace facenav::ui {
 namespace {
@@ -33,6 +34,7 @@ SessionPanel::SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondS
   auto* column = new QVBoxLayout(this);
   for (QWidget* each : {makePause(), makePain(), makeAdverse(), makeSource(), makeSound()})
     column->addWidget(each);
+  column->addWidget(new SecondCoilRow(treat, this));
   column->addWidget(new OutputsRow(treat, this));
   column->addWidget(new ScreensRow(screens, projector, this));
   column->addStretch(1);

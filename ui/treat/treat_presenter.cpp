@@ -59,6 +59,8 @@ TreatPresenter::~TreatPresenter() {
 void TreatPresenter::forgetCase() {
   stop("another case was opened");
   outputs_->setCase(model_.current().store.folder());
+  orders_.forget();
+  second_.chooseTarget({});
   aligned_ = {};
   if (is_live_) recording_->capture.reset();
   cameras_.forgetPictures();
@@ -196,6 +198,12 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   steps::TreatmentRequest request{model_.current().store, *recording_, is_live_, coil_.model(),
                                   aligned_.outcome};
   coil_.noteIn(request);
+  try {
+    second_.addTo(request);
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+    return;
+  }
   request.goes_on = goes_on;
   request.field_coil = rememberedFieldCoil().toStdString();
   if (is_live_) request.keepLearnt = cameras_.keeper();

@@ -9,6 +9,7 @@
 
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
+#include "facenav/treat/live_orders.h"
 #include "facenav/treat/treatment.h"
 #include "shell/asynchronous_shutdown.h"
 #include "shell/case_model.h"
@@ -18,6 +19,7 @@
 #include "treat/cameras_presenter.h"
 #include "treat/followed_coil.h"
 #include "treat/read_out.h"
+#include "treat/second_coil_choice.h"
 
 namespace facenav::ui {
 
@@ -59,6 +61,13 @@ class TreatPresenter : public QObject {
   QString coilName() const { return coil_.name(); }
   /// Follows this coil from now on, also while guidance runs. A coil of the library is remembered.
   void chooseCoil(const QString& name);
+  /// The second coil of the next session, or of the running one.
+  const SecondCoilChoice& secondCoil() const { return second_; }
+  void chooseSecondCoil(const QString& name);
+  void chooseSecondTarget(const QString& name);
+  void choosePulseCoil(const QString& coil);
+  /// Names of the plan's targets.
+  QStringList targetNames() const;
   /// Reminds that the target was found with another coil, or that the coil's calibration is old or not
   /// recorded; empty if neither applies.
   QString coilReminder() const { return coil_.reminder(target()); }
@@ -83,6 +92,10 @@ class TreatPresenter : public QObject {
   bool isPaused() const { return isRunning() && treatment_->isPaused(); }
   /// True while a person is guided: a session runs and is not paused.
   bool isGuiding() const { return isRunning() && !treatment_->isPaused(); }
+  /// The session's states to wait for on another thread while a person is guided; null: nobody is.
+  std::shared_ptr<const LatestValue<session::NavigationState>> guidedStates() const {
+    return isGuiding() ? treatment_->session().states() : nullptr;
+  }
   /// "PAUSED: coil too warm", or empty.
   QString pauseWords() const;
   /// Length of the pause under way, s.
@@ -99,10 +112,20 @@ class TreatPresenter : public QObject {
   /// Remembered, and used at once by a running session. Returns false, after refused(), if it is invalid.
   bool setPulseSource(const QString& words);
   QString pulseSource() const { return pulse_source_; }
-  /// Sends the poses of this session and the next ones as links::openLiveOutput reads it; empty: nowhere.
-  /// Not remembered. Returns false, after refused(), if the output cannot be opened.
-  bool sendTo(const QString& words);
+  /// Sends the poses of this session and the next ones to outputs as links::openLiveOutput reads them, with
+  /// blanks or commas between them; empty: nowhere. Those that are open stay so. Not remembered. Returns
+  /// false, after refused(), if one cannot be opened. `accepts`: takes targets and commands from clients, too.
+  bool sendTo(const QString& words, bool accepts = false);
+  /// Obeys what clients sent to a running session since the last call. Returns the newest line about it;
+  /// empty if nothing came.
+  QString obeyOrders();
   bool isSending() const { return !outputs_->isEmpty(); }
+  /// The open outputs, by their words.
+  QStringList sendsTo() const;
+  /// Outputs to offer beside the server, in the same words. Remembered; switched off at each start.
+  QString otherOutputs() const;
+  /// Returns false, after refused(), if they are not understood.
+  bool setOtherOutputs(const QString& words);
   /// Who is connected, one line each.
   QStringList receivers() const;
   /// Logs an event of the running session, or of this window's last one. Returns false if there is none.
@@ -216,6 +239,7 @@ class TreatPresenter : public QObject {
   void listen();
   void endSession(const std::string& why, std::function<void()> then = {});
   static constexpr const char* kPulseSource = "treat/pulses";  // in the settings
+  static constexpr const char* kOtherOutputs = "treat/outputs";
   std::optional<session::ChosenTarget> chosen() const;
 
   const Services& services_;
@@ -226,12 +250,14 @@ class TreatPresenter : public QObject {
   bool is_live_ = false;
   mutable QString rig_fault_;
   FollowedCoil coil_;
+  SecondCoilChoice second_;
   AlignedHead aligned_;
   bool is_judged_wrong_ = false;  // judgement of aligned_ by a person; until the head is aligned again
   bool shows_skin_ = true;
   bool is_ending_ = false, stopped_for_end_ = false;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
+  steps::LiveOrders orders_;                     // outlives the outputs, whose server hands them over
   std::shared_ptr<steps::LiveOutputs> outputs_ = std::make_shared<steps::LiveOutputs>();
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;

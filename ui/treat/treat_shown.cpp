@@ -26,6 +26,12 @@ QPushButton* makeSwitch(const QString& text, const char* setting, bool usual, QW
   return made;
 }
 
+/// Pose of the second coil, to be drawn faintly; nothing if it or the head is lost.
+std::optional<RigidTransform<Mri, frames::Target>> secondCoilOf(const session::NavigationState& state) {
+  if (!state.second || !state.second->camera_T_coil || !state.camera_T_mri) return std::nullopt;
+  return (state.camera_T_mri->inverse() * *state.second->camera_T_coil).reframe<Mri, frames::Target>();
+}
+
 }  // namespace
 
 /// The newest state in words; before guidance: what is missing for it.
@@ -122,6 +128,7 @@ void TreatWorkspace::showSlicesInScene() {
 void TreatWorkspace::drawScene(const session::NavigationState& state, const ReadOut& read_out,
                                bool was_started) {
   auto& scene = scene_->scene();
+  scene.setCoilGhost(was_started ? secondCoilOf(state) : std::nullopt);
   if (was_started) {
     scene.setHeadPose(state.camera_T_mri);
     scene.setCoilPose(state.camera_T_coil);

@@ -285,6 +285,7 @@ void TreatWorkspace::draw(const std::shared_ptr<const session::NavigationState>&
                                         read_out.twist,
                                         read_out.face.words,
                                         read_out.coil.words,
+                                        read_out.second,
                                         presenter_.showsSkin() ? "skin" : ""}
                                 .join('|');
   const bool must_draw = signature_.isEmpty() || read_out.instruction != words_in_scene_;
@@ -318,7 +319,9 @@ void TreatWorkspace::showEvent(QShowEvent*) {
 
 /// Keeps updating the second screens while another page is shown.
 void TreatWorkspace::hideEvent(QHideEvent*) {
-  if (!screens_->areShown()) timer_.stop();
+  if (screens_->areShown()) return;
+  timer_.stop();
+  field_.rest();
 }
 
 }  // namespace facenav::ui

@@ -15,7 +15,8 @@ VirtualPatientFiles virtualPatientFiles(const Context& context) {
   const fs::path header = fetched / "structural1.mnc.header.gz", raw = fetched / "structural1.mnc.raw.gz";
   if (!fs::exists(header) || !fs::exists(raw))
     throw Error("the virtual patient's MRI is not here", fetched.string(),
-                "start this through './facenav.sh demo', which fetches it");
+                "in a checkout './facenav.sh demo' fetches it; else put structural1.mnc.header.gz and "
+                "structural1.mnc.raw.gz of npm's brainbrowser 2.3.0 there");
   const auto mri = room::readMincVolume(header, raw);
   fs::create_directories(folder);
   volume::writeNifti(mri, files.nifti);

@@ -219,7 +219,8 @@ Count countOf(const PairsResult& result, PairTrial::Kind kind) {
     ++count.tried;
     count.shown += trial.shown > 0;
     count.within += trial.found_after_s && *trial.found_after_s <= 0.2 + 1e-9;
-    count.named += trial.detail == "out_of_step" || trial.detail == "one_camera" || trial.detail == "swapped";
+    count.named += trial.detail == "out_of_step" || trial.detail == "cameras_disagree" ||
+                   trial.detail == "one_camera" || trial.detail == "swapped";
   }
   return count;
 }

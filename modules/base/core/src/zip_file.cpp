@@ -104,22 +104,68 @@ std::string writtenInto(zip_source_t* source, const fs::path& path) {
 
 }  // namespace
 
-ZipEntries readZip(const fs::path& path) {
-  const std::string bytes = readWholeFile(path);
-  if (bytes.empty()) refuseZip(path, "it is empty");
-  const Source source = bufferOf(bytes.data(), bytes.size(), path);
-  const Archive archive = opened(source.get(), ZIP_RDONLY, path);
-  ZipEntries entries;
-  const auto count = zip_get_num_entries(archive.get(), 0);
+namespace {
+
+/// An archive that is read, with the bytes behind it.
+struct Reading {
+  std::unique_ptr<const std::string> bytes;  // never moves: the source points into it
+  Source source;
+  Archive archive;
+};
+
+Reading openedToRead(const fs::path& path) {
+  Reading reading;
+  reading.bytes = std::make_unique<const std::string>(readWholeFile(path));
+  if (reading.bytes->empty()) refuseZip(path, "it is empty");
+  reading.source = bufferOf(reading.bytes->data(), reading.bytes->size(), path);
+  reading.archive = opened(reading.source.get(), ZIP_RDONLY, path);
+  return reading;
+}
+
+/// Calls `visit` with each file of the archive.
+template <class Visit>
+void visitEntries(zip_t* archive, const fs::path& path, Visit visit) {
+  const auto count = zip_get_num_entries(archive, 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     zip_stat_t entry;
-    if (zip_stat_index(archive.get(), zip_uint64_t(i), 0, &entry) != 0 || !(entry.valid & ZIP_STAT_SIZE))
-      refuseZip(path, zip_error_strerror(zip_get_error(archive.get())));
+    if (zip_stat_index(archive, zip_uint64_t(i), 0, &entry) != 0 || !(entry.valid & ZIP_STAT_SIZE))
+      refuseZip(path, zip_error_strerror(zip_get_error(archive)));
     const std::string name = entry.name;
     requireInside(name, path);
-    if (name.back() != '/') entries[name] = contentOf(archive.get(), entry, path);
+    if (name.back() != '/') visit(entry);
   }
+}
+
+}  // namespace
+
+ZipEntries readZip(const fs::path& path) {
+  const auto reading = openedToRead(path);
+  ZipEntries entries;
+  visitEntries(reading.archive.get(), path, [&](const zip_stat_t& entry) {
+    entries[entry.name] = contentOf(reading.archive.get(), entry, path);
+  });
   return entries;
+}
+
+std::vector<std::string> zipNames(const fs::path& path) {
+  const auto reading = openedToRead(path);
+  std::vector<std::string> names;
+  visitEntries(reading.archive.get(), path, [&](const zip_stat_t& entry) { names.push_back(entry.name); });
+  return names;
+}
+
+std::string readZipEntry(const fs::path& path, const std::string& name, std::size_t most_bytes) {
+  const auto reading = openedToRead(path);
+  std::string content;
+  bool is_found = false;
+  visitEntries(reading.archive.get(), path, [&](const zip_stat_t& entry) {
+    if (is_found || name != entry.name) return;
+    if (entry.size > most_bytes) refuseZip(path, "'" + name + "' is too large");
+    content = contentOf(reading.archive.get(), entry, path);
+    is_found = true;
+  });
+  if (!is_found) refuseZip(path, "'" + name + "' is not in it");
+  return content;
 }
 
 void writeZip(const ZipEntries& entries, const fs::path& path, FileAccess access) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
 #include "facenav/core/whole_file.h"
 
@@ -68,12 +69,20 @@ Json toJson(const Provenance& step) {
   return json;
 }
 
-void requireVersion(const JsonReader& json) {
+void refuseNewer(int version, const std::filesystem::path& path) {
+  if (version <= kSchemaVersion) return;
+  throw Error("schema version " + std::to_string(version) +
+                  ": this case was written by a newer FaceNav and was not changed",
+              path.string(), "update FaceNav");
+}
+
+void requireVersion(const std::filesystem::path& path, const JsonReader& json) {
   const int version = json.at("schema_version").integer();
-  if (version == kSchemaVersion) return;
-  json.at("schema_version")
-      .refuse("schema version " + std::to_string(version) + " is not known, this FaceNav reads " +
-              std::to_string(kSchemaVersion) + "; prepare the case again or update FaceNav");
+  refuseNewer(version, path);
+  if (version < kSchemaVersion)
+    json.at("schema_version")
+        .refuse("schema version " + std::to_string(version) + " is not known, this FaceNav reads " +
+                std::to_string(kSchemaVersion) + "; prepare the case again");
 }
 
 /// Throws Error unless each name is a file inside the case; no path may lead out of it.
@@ -91,9 +100,19 @@ SettingValues readSettings(const JsonReader& json) {
   return settings;
 }
 
+void requireNotNewer(const std::filesystem::path& path) {
+  int version = 0;
+  try {
+    version = JsonReader::readFile(path).at("schema_version").integer();
+  } catch (const Error&) {
+    return;  // damaged: whoever reads it says so
+  }
+  refuseNewer(version, path);
+}
+
 CaseJson readCaseJson(const std::filesystem::path& path) {
   const JsonReader json = JsonReader::readFile(path);
-  requireVersion(json);
+  requireVersion(path, json);
   CaseJson content;
   content.case_id = json.at("case_id").text();
   if (json.has("label")) content.label = json.at("label").text();

@@ -22,6 +22,9 @@ struct CaseJson {
   std::optional<BrainQuality> brain_quality;
 };
 
+/// Throws Error if this case.json is of a newer schema version, before anything is done to its case. A file
+/// that cannot be read passes.
+void requireNotNewer(const std::filesystem::path& path);
 /// Reads case.json. Throws Error naming file and key, or, for another schema version, what to do.
 CaseJson readCaseJson(const std::filesystem::path& path);
 void writeCaseJson(const CaseJson& content, const std::filesystem::path& path);

@@ -1,5 +1,6 @@
 #include "facenav/casefile/case_place.h"
 
+#include "case_json.h"
 #include "case_path.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
@@ -13,6 +14,7 @@ void requireReplaceable(const fs::path& folder, bool replace) {
   if (!isCase(folder)) throw Error("exists and is no case", folder.string(), "choose another folder");
   if (!replace)
     throw Error("a case exists there already", folder.string(), "choose another folder, or replace it");
+  requireNotNewer(folder / "case.json");
 }
 
 void requireWritablePlace(const fs::path& folder, bool replace) {

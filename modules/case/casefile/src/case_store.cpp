@@ -161,6 +161,7 @@ CaseStore CaseStore::openToReplace(const fs::path& folder) {
     throw Error("no such case folder", folder.string(), "prepare the case first");
   if (!isCase(folder))
     throw Error("is no case (no case.json in it)", folder.string(), "prepare the case first");
+  requireNotNewer(folder / "case.json");
   removeAbandonedGroups(folder);
   return CaseStore(cleaned(folder));
 }

@@ -93,6 +93,23 @@ std::string toCsvLine(const PoseRow& row) {
   return line + "," + fixed(row.quality, 4) + ",," + row.of_frame + ",\n";
 }
 
+std::string secondCoilHeader(const std::string& header) { return ofSecondCoil(header, "coil"); }
+
+std::string ofSecondCoil(const std::string& line, const std::string& coil) {
+  return line.substr(0, line.size() - 1) + "," + csvField(coil) + "\n";
+}
+
+std::filesystem::path secondCoilPath(const std::filesystem::path& path) {
+  return path.parent_path() / (path.stem().string() + "_coil2" + path.extension().string());
+}
+
+void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path,
+                const std::string& second_coil) {
+  std::string content = secondCoilHeader(posesCsvHeader());
+  for (const PoseRow& row : rows) content += ofSecondCoil(toCsvLine(row), second_coil);
+  writeWholeFile(path, content);
+}
+
 void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path) {
   std::string content = posesCsvHeader();
   for (const PoseRow& row : rows) content += toCsvLine(row);

@@ -38,6 +38,16 @@ void readHeaderLine(const std::string& line, Header& header) {
   if (key == "Created by") header.created_by = value;
 }
 
+/// A second header, of a file that was appended to another one, must name the same system.
+void requireSameSystem(const std::string& line, const Header& header, const std::filesystem::path& path,
+                       const std::string& where) {
+  Header again = header;
+  readHeaderLine(line, again);
+  if (again.system != header.system)
+    refuseFile(path, where, "names a second coordinate system, '" + again.system.substr(0, 40) + "'",
+               "import each part as a file of its own");
+}
+
 Form formOf(const std::string& system) {
   return contains(system, ":Q:") ? Form::qform : contains(system, ":S:") ? Form::sform : Form::any;
 }
@@ -191,7 +201,11 @@ OtherFile readBrainsight(const Source& source) {
       if (startsWith(line, "#")) readHeaderLine(line, header);
       continue;
     }
-    if (trimmed(line).empty() || (cells.size() < 2 && startsWith(line, "#"))) continue;
+    if (trimmed(line).empty()) continue;
+    if (cells.size() < 2 && startsWith(line, "#")) {
+      requireSameSystem(line, header, source.path, where);
+      continue;
+    }
     for (std::size_t i = header_cells; i < cells.size(); ++i)
       if (!trimmed(cells[i]).empty())
         refuseFile(

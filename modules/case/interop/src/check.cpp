@@ -10,6 +10,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/interop/axes.h"
+#include "handle_words.h"
 #include "skin_distance.h"
 
 namespace facenav::interop {
@@ -121,12 +122,38 @@ WorldChange byOwnWords(const OtherFile& file, Form form, const CaseHead& head) {
   return change;
 }
 
+constexpr const char* kNoLandmarks =
+    "its frame is that of nasion and ears, and the case has no landmarks: set them first (plan)";
+
+/// The file's world by the case's own landmarks, for a file that holds none.
+WorldChange byHeadFrame(const std::optional<HeadFrame>& frame, const CaseHead& head) {
+  WorldChange change;
+  if (!frame)
+    change.refusal =
+        "its frame is that of nasion and ears, and the file does not say where its x points: give "
+        "--head-frame x-nasion or --head-frame x-right";
+  else if (!head.points)
+    change.refusal = kNoLandmarks;
+  if (!change.refusal.empty()) return change;
+  const Eigen::Vector3d middle = (head.points->left_ear + head.points->right_ear) / 2;
+  const Eigen::Vector3d to_nasion = head.points->nasion - middle;
+  const Eigen::Vector3d to_right = head.points->right_ear - middle;
+  const Eigen::Vector3d z = to_right.cross(to_nasion).normalized();
+  const bool is_nasion = *frame == HeadFrame::x_nasion;
+  const Eigen::Vector3d x = (is_nasion ? to_nasion : to_right).normalized();
+  change.mri_T_world.linear() << x, z.cross(x), z;
+  change.mri_T_world.translation() = middle;
+  change.notes.push_back(std::string("its frame is made from the case's nasion and tragi, x to the ") +
+                         (is_nasion ? "nasion" : "right ear") +
+                         "; the file holds no landmarks, so no residual can be stated");
+  return change;
+}
+
 /// The file's world by its three points of the head.
 WorldChange byHeadPoints(const HeadPoints& theirs, const CaseHead& head) {
   WorldChange change;
   if (!head.points) {
-    change.refusal =
-        "its frame is that of nasion and ears, and the case has no landmarks: set them first (plan)";
+    change.refusal = kNoLandmarks;
     return change;
   }
   const auto listOf = [](const HeadPoints& points) {
@@ -151,13 +178,34 @@ Eigen::Vector3d inRas(const Eigen::Vector3d& p, Space space) {
   return space == Space::lps ? Eigen::Vector3d(-p.x(), -p.y(), p.z()) : p;
 }
 
-void judgePose(Item& item, const CaseHead& head, Space space, const WorldChange& change, bool flips) {
-  Eigen::Matrix4d pose = inRas(*item.pose, space);
-  if (flips) pose.block<3, 2>(0, 0) *= -1;
+/// What all items of a file are judged by.
+struct Judging {
+  const CaseHead& head;
+  const Answers& answers;
+  Space space;
+  WorldChange change;
+  bool is_handle_doubtful;
+};
+
+/// Asks which way the handle points, or says how it was answered.
+void judgeHandle(Item& item, const Answers& answers) {
+  const Eigen::Vector3d y = item.mri_T_coil->rotation().col(1);
+  if (answers.flips_handle || answers.keeps_handle) {
+    item.notes.push_back("its handle points " + directionInWords(-y));
+    return;
+  }
+  item.refusal = handleQuestion(y);
+  item.mri_T_coil.reset();
+}
+
+void judgePose(Item& item, const Judging& by) {
+  const CaseHead& head = by.head;
+  Eigen::Matrix4d pose = inRas(*item.pose, by.space);
+  if (by.answers.flips_handle) pose.block<3, 2>(0, 0) *= -1;
   std::string said;
   try {
     soundPose(pose, &said);  // before the world is changed: the fault is the file's
-    item.mri_T_coil = soundPose(change.mri_T_world.matrix() * pose, nullptr);
+    item.mri_T_coil = soundPose(by.change.mri_T_world.matrix() * pose, nullptr);
   } catch (const Error& error) {
     item.refusal = error.what();
     return;
@@ -176,23 +224,28 @@ void judgePose(Item& item, const CaseHead& head, Space space, const WorldChange&
   const auto skin_mm = fromSkin_mm(head.skin_mm, centre_mm);
   if (skin_mm && *skin_mm > kFromSkin_mm)
     item.notes.push_back("its centre lies " + millimetres(*skin_mm) + " from the skin");
+  if (by.is_handle_doubtful) judgeHandle(item, by.answers);
 }
 
 Point<Mri> toMri(const Eigen::Vector3d& p, Space space, const WorldChange& change) {
   return Point<Mri>(change.mri_T_world * inRas(p, space));
 }
 
-void judge(Item& item, const CaseHead& head, Space space, const WorldChange& change, bool flips) {
-  if (item.pose) judgePose(item, head, space, change, flips);
-  if (item.cortex_point_mm) item.cortex_point_mm = toMri(*item.cortex_point_mm, space, change).mm;
-  if (item.scalp_point_mm) item.scalp_point_mm = toMri(*item.scalp_point_mm, space, change).mm;
+void judge(Item& item, const Judging& by) {
+  if (item.pose) judgePose(item, by);
+  for (auto* point : {&item.cortex_point_mm, &item.scalp_point_mm}) {
+    if (*point) *point = toMri(**point, by.space, by.change).mm;
+    if (*point && !(*point)->allFinite()) point->reset();
+  }
   if (!item.place_mm) return;
-  item.mri_place = toMri(*item.place_mm, space, change);
+  item.mri_place = toMri(*item.place_mm, by.space, by.change);
   if (!item.mri_place->mm.allFinite())
     item.refusal = "its place is no finite number";
-  else if ((item.mri_place->mm - head.centre_mm).norm() > kReach_mm)
+  else if ((item.mri_place->mm - by.head.centre_mm).norm() > kReach_mm)
     item.refusal = "it lies farther than 40 cm from the middle of the head";
-  if (!item.refusal.empty()) item.mri_place.reset();
+  if (!item.refusal.empty()) return item.mri_place.reset();
+  const Eigen::Vector3d& p = item.mri_place->mm;
+  if (item.kind == Kind::pulse) item.reason += formatted(" (at %.1f %.1f %.1f mm)", p.x(), p.y(), p.z());
 }
 
 /// Says that the poses fit the skin much better in the other of RAS and LPS; empty if they do not.
@@ -213,6 +266,20 @@ std::string otherSpaceFits(const OtherFile& file, const CaseHead& head, Space sp
   return formatted("as %s its poses lie %.0f mm from the skin, as %s %.0f mm", toString(space).c_str(),
                    as_is_mm, toString(other).c_str(), as_other_mm) +
          ": say with --space ras or --space lps which it is";
+}
+
+/// Places of a frame by nasion and ears that lie far from the skin: it may have other axes, or be
+/// left-handed, which three points do not tell.
+void notePlacesOffSkin(OtherFile& file, const CaseHead& head) {
+  std::vector<double> all_mm;
+  for (const auto& item : file.items)
+    if (item.mri_place && all_mm.size() < 50)
+      if (const auto mm = fromSkin_mm(head.skin_mm, item.mri_place->mm)) all_mm.push_back(*mm);
+  if (all_mm.empty()) return;
+  std::sort(all_mm.begin(), all_mm.end());
+  if (const double middle_mm = all_mm[all_mm.size() / 2]; middle_mm > kFromSkin_mm)
+    file.notes.push_back("half of its places lie more than " + millimetres(middle_mm) +
+                         " from the skin: its frame may have other axes");
 }
 
 void refuseAll(OtherFile& file, const std::string& why) {
@@ -259,15 +326,20 @@ void check(OtherFile& file, const CaseHead& head, const Answers& answers, const 
   if (const std::string fault = faultOfSpace(space, file); !fault.empty()) return refuseAll(file, fault);
   const Form form = answers.form.value_or(file.form);
   if (answers.form) file.is_form_doubtful = false;
-  const WorldChange change = file.head_points ? byHeadPoints(*file.head_points, head)
-                             : file_t1        ? byNamedT1(*file_t1, form, head)
-                                              : byOwnWords(file, form, head);
+  const WorldChange change = file.head_points        ? byHeadPoints(*file.head_points, head)
+                             : file.is_of_head_frame ? byHeadFrame(answers.head_frame, head)
+                             : file_t1               ? byNamedT1(*file_t1, form, head)
+                                                     : byOwnWords(file, form, head);
   if (!change.refusal.empty()) return refuseAll(file, change.refusal);
   file.notes.insert(file.notes.end(), change.notes.begin(), change.notes.end());
   if (!answers.space)
     if (const std::string doubt = otherSpaceFits(file, head, space); !doubt.empty())
       return refuseAll(file, doubt);
-  for (auto& item : file.items) judge(item, head, space, change, answers.flips_handle);
+  const bool is_doubtful = file.is_handle_doubtful;
+  if (is_doubtful && answers.keeps_handle) file.notes.push_back("the handle is taken as written, as asked");
+  const Judging by{head, answers, space, change, is_doubtful};
+  for (auto& item : file.items) judge(item, by);
+  if (file.head_points || file.is_of_head_frame) notePlacesOffSkin(file, head);
 }
 
 }  // namespace facenav::interop

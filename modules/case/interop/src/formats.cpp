@@ -1,16 +1,22 @@
 #include "facenav/interop/formats.h"
 
 #include <algorithm>
+#include <map>
+#include <regex>
 
 #include "facenav/core/error.h"
 #include "facenav/core/near_name.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_file.h"
+#include "file_set.h"
+#include "folders.h"
 #include "readers.h"
 #include "text.h"
 
 namespace facenav::interop {
 namespace {
+
+constexpr double kSamePose = 1e-6;  // in mm and in the rotation: one pose that stands in two lists
 
 /// Names a kind of file that is known and cannot be read; empty if it is none of them.
 std::string knownButNotRead(const std::string& content) {
@@ -22,12 +28,10 @@ std::string knownButNotRead(const std::string& content) {
     return "is text in UTF-16: save it as UTF-8";
   if (startsWith(content, "SQLite format 3"))
     return "is a database, perhaps a Brainsight project: export its targets as text";
-  if (startsWith(content, "PK")) return "is an archive: unpack it and choose the file of targets in it";
-  if (startsWith(content, "visor2 software version"))
-    return "is a visor2 list of pulses, which is not read yet";
-  if (contains(content.substr(0, 4000), "nibs_position_id") ||
-      contains(content.substr(0, 4000), "nibs_event_id"))
-    return "is a file of NIBS-BIDS, which is not read yet";
+  if (startsWith(content, "PK"))
+    return "is an archive without a session: unpack it and choose the file in it";
+  if (startsWith(content, "onset\t") || startsWith(content, "nibs_event_id\t"))
+    return "is a table of events, perhaps of NIBS-BIDS: choose the folder or its markers.tsv";
   if (startsWith(content, "# Version: 1\n") || startsWith(content, "# Version: 1\r"))
     return "is a Brainsight stream of poses without targets or pulses";
   return {};
@@ -57,22 +61,78 @@ std::vector<Format> makeFormats() {
       {"fcsv", "older markups of 3D Slicer", "", false, isFcsv, readFcsv, nullptr},
       {"navinibs", "NaviNIBS targets; with --session samples", "navinibs_targets.json", true, isNavinibs,
        readNavinibs, writeNavinibs},
-      {"stimguide", "StimGuide: places", "", false, isStimguide, readStimguide, nullptr},
+      {"stimguide", "StimGuide: places and pulses", "", false, isStimguide, readStimguide, nullptr},
+      {"visor2-pulses", "ANT visor2's list of pulses", "", false, isVisor2Pulses, readVisor2Pulses, nullptr},
+      {"nibs-bids", "a folder of NIBS-BIDS: targets, pulses, T1", "nibs-bids", true, isNibsMarkers,
+       readNibsMarkers, nullptr, writeNibsBids},
       {"csv", "targets and pulses as a table", "targets.csv", true, isOwnCsv, readOwnCsv, writeOwnCsv},
       {"json", "targets as in targets.json", "targets.json", false, isOwnJson, readOwnJson, writeOwnJson}};
+}
+
+/// Line breaks and tabs of a name become blanks.
+std::string onOneLine(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+  return trimmed(name);
 }
 
 void nameItems(OtherFile& file) {
   int number = 0;
   for (auto& item : file.items) {
     ++number;
-    item.name = trimmed(item.name);
+    item.name = onOneLine(item.name);
+    item.target = onOneLine(item.target);
+    item.session = onOneLine(item.session);
     if (item.where.empty()) item.where = formatted("item %d", number);
     if (item.name.empty()) item.name = toString(item.kind) + " " + std::to_string(number);
   }
 }
 
+/// True if poses are no numbers and the text has commas between digits where its cells end with tabs.
+bool holdsDecimalCommas(const std::string& content, const OtherFile& file) {
+  const auto is_unread = [](const Item& item) { return item.pose && !item.pose->allFinite(); };
+  if (std::none_of(file.items.begin(), file.items.end(), is_unread)) return false;
+  static const std::regex kComma("[\t\"]-?[0-9]+,[0-9]+[\t\"\r\n]");
+  return std::regex_search(content.begin(),
+                           content.begin() + long(std::min<std::size_t>(content.size(), 20000)), kComma);
+}
+
+bool isSameTarget(const Item& a, const Item& b) {
+  return a.pose && b.pose && (*a.pose - *b.pose).cwiseAbs().maxCoeff() < kSamePose;
+}
+
+/// Leaves out what stands twice: an InstrumentMarker in two lists, a placement in two runs.
+void dropRepeated(OtherFile& file) {
+  std::multimap<std::string, std::size_t> kept;
+  std::vector<Item> items;
+  for (auto& item : file.items) {
+    const Eigen::Vector3d p =
+        item.pose ? Eigen::Vector3d(item.pose->topRightCorner<3, 1>()) : Eigen::Vector3d::Zero();
+    const std::string key = formatted("%.3f %.3f %.3f ", p.x(), p.y(), p.z()) + item.name;
+    const auto [begin, end] = kept.equal_range(key);
+    const bool is_there = item.kind == Kind::target && std::any_of(begin, end, [&](const auto& entry) {
+                            return isSameTarget(items[entry.second], item);
+                          });
+    if (is_there) continue;
+    if (item.kind == Kind::target) kept.emplace(key, items.size());
+    items.push_back(std::move(item));
+  }
+  if (items.size() < file.items.size())
+    file.notes.push_back(formatted("%d targets stand in it twice with one pose and count once",
+                                   int(file.items.size() - items.size())));
+  file.items = std::move(items);
+}
+
 }  // namespace
+
+OtherFile finished(OtherFile file, const std::filesystem::path& path) {
+  if (file.items.size() > kMostItems) throw Error("holds more than 100000 items", path.string());
+  if (file.items.empty())
+    throw Error("holds no targets, pulses or landmarks (" + file.words + ")", path.string());
+  nameItems(file);
+  dropRepeated(file);
+  return file;
+}
 
 std::string toString(Kind kind) {
   constexpr const char* kWords[] = {"target", "pulse", "landmark", "electrode"};
@@ -92,13 +152,13 @@ const std::vector<Format>& formats() {
 std::string namesOfWritten() {
   std::string names;
   for (const auto& format : formats())
-    if (format.write) names += (names.empty() ? "" : ", ") + format.name;
+    if (format.write || format.write_folder) names += (names.empty() ? "" : ", ") + format.name;
   return names;
 }
 
 const Format& writtenFormat(const std::string& name) {
   for (const auto& format : formats())
-    if (format.name == name && format.write) return format;
+    if (format.name == name && (format.write || format.write_folder)) return format;
   throw Error("no such format: " + name, {}, "one of " + namesOfWritten());
 }
 
@@ -111,15 +171,16 @@ bool isKnown(const std::string& content) {
 
 OtherFile readOther(const std::filesystem::path& path, const T1* t1) {
   if (!std::filesystem::exists(path)) throw Error("file does not exist", path.string(), "check the path");
-  if (!std::filesystem::is_regular_file(path))
-    throw Error("is no file", path.string(), "choose one file in it");
+  const bool is_folder = std::filesystem::is_directory(path);
+  if (is_folder || isSessionArchive(path)) return readFileSet(path, t1);
+  if (!std::filesystem::is_regular_file(path)) throw Error("is no file", path.string());
   if (std::filesystem::file_size(path) > kLargestFile_bytes)
     throw Error("is larger than 64 MB, which no list of targets is", path.string());
   return readOtherText({readWholeFile(path), path, t1});
 }
 
 OtherFile readOtherText(Source source) {
-  if (startsWith(source.content, "\xEF\xBB\xBF")) source.content.erase(0, 3);
+  source.content = plainText(std::move(source.content));
   const std::string file = source.path.string();
   if (trimmed(source.content).empty()) throw Error("is empty", file, "export it again");
   if (const auto why = knownButNotRead(source.content); !why.empty()) throw Error(why, file);
@@ -127,10 +188,9 @@ OtherFile readOtherText(Source source) {
     if (!format.recognises || !format.recognises(source.content)) continue;
     OtherFile read = format.read(source);
     read.format = format.name;
-    if (read.items.size() > kMostItems) throw Error("holds more than 100000 items", file);
-    if (read.items.empty()) throw Error("holds no targets, pulses or landmarks (" + read.words + ")", file);
-    nameItems(read);
-    return read;
+    if (holdsDecimalCommas(source.content, read))
+      throw Error("its numbers have decimal commas", file, "export it with decimal points");
+    return finished(std::move(read), source.path);
   }
   throw Error("is no file of a navigator that FaceNav knows", file,
               "the manual's page on other programs lists them");

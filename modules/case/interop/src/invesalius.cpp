@@ -1,14 +1,11 @@
-#include <cmath>
-
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
-#include "facenav/geometry/rotation.h"
 #include "facenav/interop/axes.h"
+#include "facenav/interop/invesalius_space.h"
 #include "readers.h"
 #include "text.h"
 
-// InVesalius's .mkss, versions 0 to 5. Its frame is that of the image in RAS order, in mm from the first
-// voxel, with y mirrored for positions and not for rotations.
+// InVesalius's .mkss, versions 0 to 5; its space is that of invesalius_space.h.
 
 namespace facenav::interop {
 namespace {
@@ -53,45 +50,6 @@ constexpr const char* kNames[] = {"marker_id",
 
 constexpr const char* kNeeded[] = {"x", "y", "z", "alpha", "beta", "gamma", "label"};
 
-/// The image in RAS order, as InVesalius holds it.
-struct Image {
-  volume::VoxelGrid grid;
-  Eigen::Vector3d spacing;
-  Eigen::Matrix3d turn;  // axes of the image in the world, of unit length
-
-  explicit Image(const volume::VoxelGrid& any_order)
-      : grid(canonical(any_order)), spacing(grid.spacing_mm()) {
-    turn = grid.mri_from_voxel.linear() * spacing.cwiseInverse().asDiagonal();
-  }
-  double length_y_mm() const { return spacing.y() * (grid.size[1] - 1); }
-  Eigen::Vector3d toWorld(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d mm(p.x(), length_y_mm() - p.y(), p.z());
-    return grid.mri_from_voxel * mm.cwiseQuotient(spacing);
-  }
-  Eigen::Vector3d fromWorld(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d mm = (grid.mri_from_voxel.inverse() * p).cwiseProduct(spacing);
-    return {mm.x(), length_y_mm() - mm.y(), mm.z()};
-  }
-};
-
-/// Rotation of angles about fixed x, then y, then z.
-Eigen::Matrix3d turnOf(const Eigen::Vector3d& angles_deg) {
-  const Eigen::Vector3d a = angles_deg * kRadPerDeg;
-  return (Eigen::AngleAxisd(a.z(), Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(a.y(), Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(a.x(), Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-Eigen::Vector3d anglesOf(const Eigen::Matrix3d& r) {
-  const double across = std::hypot(r(0, 0), r(1, 0));
-  const Eigen::Vector3d angles =
-      across > 1e-9 ? Eigen::Vector3d(std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), across),
-                                      std::atan2(r(1, 0), r(0, 0)))
-                    : Eigen::Vector3d(std::atan2(-r(1, 2), r(1, 1)), std::atan2(-r(2, 0), across), 0.0);
-  return angles * kDegPerRad;
-}
-
 /// A cell without its quotes.
 std::string plain(std::string cell) {
   cell = trimmed(cell);
@@ -114,7 +72,7 @@ Kind kindOf(const std::string& type, const std::string& label, bool is_turned) {
   return is_turned ? Kind::target : Kind::landmark;  // older files have no type
 }
 
-Item itemOf(const Columns& columns, const std::vector<std::string>& cells, const Image& image) {
+Item itemOf(const Columns& columns, const std::vector<std::string>& cells, const InvesaliusSpace& image) {
   const auto text = [&](const char* name) { return plain(columns.text(cells, name)); };
   const auto three = [&](const char* a, const char* b, const char* c) {
     return Eigen::Vector3d(numberOrNan(text(a)), numberOrNan(text(b)), numberOrNan(text(c)));
@@ -132,14 +90,11 @@ Item itemOf(const Columns& columns, const std::vector<std::string>& cells, const
     item.reason = "the marker has no orientation";
     return item;
   }
-  const Eigen::Matrix3d theirs = image.turn * turnOf(three("alpha", "beta", "gamma"));
+  const Eigen::Matrix3d theirs = image.turn() * turnOfFixedAngles(three("alpha", "beta", "gamma"));
   item.pose =
       toFaceNav(poseOfColumns(place, theirs.col(0), theirs.col(1), theirs.col(2)), CoilAxes::invesalius);
   item.mep_uv = valueIn(text("mep_value"));
-  if (const std::string time = text("timestamp"); time.size() >= 19) {
-    item.time = time.substr(0, 10) + " " + time.substr(11);
-    item.clock_s = clockOf(time.substr(0, 10), time.substr(11, 8));
-  }
+  setTime(text("timestamp"), item);
   return item;
 }
 
@@ -147,7 +102,7 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"') result += '"';
-    result += c == '\t' || c == '\n' ? ' ' : c;
+    result += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
   }
   return result + "\"";
 }
@@ -158,15 +113,15 @@ std::string numbers(const Eigen::Vector3d& v) {
   return text;
 }
 
-std::string rowOf(const Item& item, int id, const Image& image, const std::string& time) {
+std::string rowOf(const Item& item, int id, const InvesaliusSpace& image, const std::string& time) {
   const bool is_target = item.kind == Kind::target;
   const Eigen::Vector3d place = is_target ? item.mri_T_coil->translation_mm() : item.mri_place->mm;
   std::string row = std::to_string(id) + numbers(image.fromWorld(place)), world = numbers(place);
   if (is_target) {
     const Eigen::Matrix3d theirs =
         fromFaceNav(item.mri_T_coil->matrix(), CoilAxes::invesalius).topLeftCorner<3, 3>();
-    row += numbers(anglesOf(image.turn.transpose() * theirs));
-    world += numbers(anglesOf(theirs));
+    row += numbers(fixedAngles_deg(image.turn().transpose() * theirs));
+    world += numbers(fixedAngles_deg(theirs));
   } else {
     row += "\tNone\tNone\tNone";
     world += "\tN/A\tN/A\tN/A";
@@ -194,7 +149,7 @@ OtherFile readInvesalius(const Source& source) {
   for (const char* needed : kNeeded)
     if (!columns.has(needed))
       refuseFile(source.path, "line 2", "its column '" + std::string(needed) + "' is missing");
-  const Image image(source.t1->grid);
+  const InvesaliusSpace image(source.t1->grid);
   OtherFile file;
   file.words = formatted("InVesalius markers, version %.0f", *version);
   file.space_words = "RAS";
@@ -213,7 +168,7 @@ OtherFile readInvesalius(const Source& source) {
 }
 
 Written writeInvesalius(const Order& order) {
-  const Image image(order.t1.grid);
+  const InvesaliusSpace image(order.t1.grid);
   const auto targets = targetsOf(order);
   Written written;
   written.content = kMagic + std::string("5\n");

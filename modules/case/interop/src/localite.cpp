@@ -51,6 +51,12 @@ void addInstrumentMarkers(const pugi::xml_node& root, OtherFile& file) {
   for (const auto& outer : root.children()) {
     if (outer.type() != pugi::node_element) continue;
     ++number;
+    const std::string type = outer.attribute("type").as_string("InstrumentMarker");
+    if (type != "InstrumentMarker") {
+      file.notes.push_back(
+          formatted("element %d is a '%s' and is left out", number, type.substr(0, 40).c_str()));
+      continue;
+    }
     pugi::xml_node marker = outer.child("Marker");
     if (!marker) marker = outer.child("InstrumentMarker");  // Navigator 4
     if (!marker) marker = outer;
@@ -64,13 +70,22 @@ void addInstrumentMarkers(const pugi::xml_node& root, OtherFile& file) {
   }
 }
 
-/// Date in a file name of Localite, "TriggerMarkers_Coil0_20260305102030125.xml", as 2026-03-05.
-std::string dateInName(const std::filesystem::path& path) {
+/// Time in a file name of Localite, "TriggerMarkers_Coil0_20260305102030125.xml": when it was saved.
+std::optional<double> timeInName(const std::filesystem::path& path) {
   const std::string stem = path.stem().string();
   const auto last = stem.find_last_not_of("0123456789");
-  const std::string digits = last == std::string::npos ? stem : stem.substr(last + 1);
-  if (digits.size() < 14) return {};
-  return digits.substr(0, 4) + "-" + digits.substr(4, 2) + "-" + digits.substr(6, 2);
+  const std::string d = last == std::string::npos ? stem : stem.substr(last + 1);
+  if (d.size() < 14) return std::nullopt;
+  return clockOf(d.substr(0, 4) + "-" + d.substr(4, 2) + "-" + d.substr(6, 2),
+                 d.substr(8, 2) + ":" + d.substr(10, 2) + ":" + d.substr(12, 2));
+}
+
+/// Start of a list with a time of day alone: the last one before it was saved.
+std::optional<double> startOf(const std::string& time_of_day, const std::optional<double>& saved_s) {
+  constexpr double kDay_s = 86400, kMinute_s = 60;
+  auto start_s = clockOf(saved_s ? dateOf(*saved_s) : "1970-01-01", time_of_day);
+  if (start_s && saved_s && *start_s > *saved_s + kMinute_s) *start_s -= kDay_s;
+  return start_s;
 }
 
 /// Value of a pulse; nothing for NaN and for 0, which stands for "not measured".
@@ -91,9 +106,9 @@ void readValues(const pugi::xml_node& marker, Item& item) {
 }
 
 void addTriggerMarkers(const pugi::xml_node& root, const Source& source, OtherFile& file) {
-  const std::string start = root.attribute("startTime").value(), date = dateInName(source.path);
-  const auto start_s = clockOf(date.empty() ? "1970-01-01" : date, start);
-  if (date.empty()) file.notes.push_back("its name holds no date: the pulses have times of day only");
+  const auto saved_s = timeInName(source.path);
+  const auto start_s = startOf(root.attribute("startTime").value(), saved_s);
+  if (!saved_s) file.notes.push_back("its name holds no date: the pulses have times of day only");
   int number = 0;
   for (const auto& marker : root.children("TriggerMarker")) {
     Item item;
@@ -106,8 +121,9 @@ void addTriggerMarkers(const pugi::xml_node& root, const Source& source, OtherFi
     const auto after_ms = valueIn(marker.attribute("recordingTime").value());
     if (start_s && after_ms) {
       const double clock_s = *start_s + *after_ms / 1000.0;
-      if (!date.empty()) item.clock_s = clock_s;
-      item.time = (date.empty() ? "" : dateOf(clock_s) + " ") + timeOf(clock_s);
+      if (saved_s) item.clock_s = clock_s;
+      item.onset_s = *after_ms / 1000.0;
+      item.time = (saved_s ? dateOf(clock_s) + " " : "") + timeOf(clock_s);
     }
     file.items.push_back(item);
   }
@@ -136,7 +152,7 @@ void addEntryTargets(const pugi::xml_node& root, OtherFile& file) {
 }  // namespace
 
 bool isLocalite(const std::string& content) {
-  const std::string start = content.substr(0, 4000);
+  const std::string start = content.substr(0, 100000);  // comments may stand first
   for (const char* root :
        {"<InstrumentMarkerList", "<TriggerMarkerList", "<EntryTargetList", "<GUMMarkerList"})
     if (contains(start, root)) return true;

@@ -1,4 +1,3 @@
-#include "facenav/core/number_text.h"
 #include "facenav/interop/axes.h"
 #include "json_pose.h"
 #include "readers.h"
@@ -12,14 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<Eigen::Vector3d> threeOf(const JsonReader& json, const char* key) {
-  if (!isGiven(json, key)) return std::nullopt;
-  const auto numbers = json.at(key).numbers(3);
-  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-}
-
-Json threeJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 Item itemOf(const JsonReader& json, Kind kind) {
   Item item;
   item.kind = kind;
@@ -31,12 +22,7 @@ Item itemOf(const JsonReader& json, Kind kind) {
   if (kind == Kind::pulse) {
     item.target = textOr(json, "targetKey");
     item.values["coilKey"] = textOr(json, "coilKey");
-    const std::string stamp = textOr(json, "timestamp");
-    if (stamp.size() >= 19) {
-      item.time = stamp.substr(0, 10) + " " + stamp.substr(11);
-      item.clock_s =
-          clockOf(stamp.substr(0, 10), stamp.size() > 22 ? stamp.substr(11, 12) : stamp.substr(11, 8));
-    }
+    setTime(textOr(json, "timestamp"), item);
     return item;
   }
   item.cortex_point_mm = threeOf(json, "targetCoord");
@@ -44,8 +30,17 @@ Item itemOf(const JsonReader& json, Kind kind) {
   if (!item.pose && item.cortex_point_mm) {
     item.kind = Kind::landmark;
     item.place_mm = item.cortex_point_mm;
+    item.reason = "NaviNIBS computes its pose and did not store it: 'facenav target' plans one at this place";
   }
   return item;
+}
+
+OtherFile readLists(const JsonReader& json) {
+  OtherFile file;
+  file.words = "NaviNIBS";
+  file.space_words = "RAS";
+  addItems(json, {{"targets", Kind::target}, {"samples", Kind::pulse}}, itemOf, file);
+  return file;
 }
 
 }  // namespace
@@ -58,21 +53,10 @@ bool isNavinibs(const std::string& content) {
 }
 
 OtherFile readNavinibs(const Source& source) {
-  const auto json = jsonOf(source, contains(source.content, "\"timestamp\"") ? "samples" : "targets");
-  OtherFile file;
-  file.words = "NaviNIBS";
-  file.space_words = "RAS";
-  const std::pair<const char*, Kind> kLists[] = {{"targets", Kind::target}, {"samples", Kind::pulse}};
-  for (const auto& [key, kind] : kLists) {
-    if (!isGiven(json, key)) continue;
-    int number = 0;
-    for (const auto& element : json.at(key).elements()) {
-      file.items.push_back(itemOf(element, kind));
-      file.items.back().where = formatted("%s[%d]", key, number++);
-    }
-  }
-  return file;
+  return readNavinibsList(source, contains(source.content, "\"timestamp\"") ? "samples" : "targets");
 }
+
+OtherFile readNavinibsList(const Source& source, const char* list) { return readLists(jsonOf(source, list)); }
 
 Written writeNavinibs(const Order& order) {
   Json targets = Json::array(), samples = Json::array();

@@ -125,10 +125,7 @@ Written writeOwnCsv(const Order& order) {
   return written;
 }
 
-bool isOwnJson(const std::string& content) {
-  return startsWith(trimmed(content.substr(0, 200)), "{") && contains(content, "\"targets\"") &&
-         contains(content, "\"mri_T_target\"");
-}
+bool isOwnJson(const std::string& content) { return isJsonWith(content, {"targets", "mri_T_target"}); }
 
 OtherFile readOwnJson(const Source& source) {
   OtherFile file;

@@ -48,10 +48,19 @@ OtherFile readFcsv(const Source& source);
 
 bool isNavinibs(const std::string& content);
 OtherFile readNavinibs(const Source& source);
+/// A file that holds this list, "targets" or "samples", bare or as a member.
+OtherFile readNavinibsList(const Source& source, const char* list);
 Written writeNavinibs(const Order& order);
 
 bool isStimguide(const std::string& content);
 OtherFile readStimguide(const Source& source);
+
+bool isVisor2Pulses(const std::string& content);
+OtherFile readVisor2Pulses(const Source& source);
+
+bool isNibsMarkers(const std::string& content);
+OtherFile readNibsMarkers(const Source& source);
+WrittenFolder writeNibsBids(const Order& order);
 
 bool isOwnCsv(const std::string& content);
 OtherFile readOwnCsv(const Source& source);
@@ -60,6 +69,10 @@ Written writeOwnCsv(const Order& order);
 bool isOwnJson(const std::string& content);
 OtherFile readOwnJson(const Source& source);
 Written writeOwnJson(const Order& order);
+
+/// The file with every item named and placed; the same target twice counts once. Throws Error for one without
+/// items, or with too many.
+OtherFile finished(OtherFile file, const std::filesystem::path& path);
 
 /// Items of one kind that have a pose, in order.
 std::vector<const Item*> posed(const Order& order, Kind kind);

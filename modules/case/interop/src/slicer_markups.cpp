@@ -12,16 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Pose of a control point in its file's space.
-Eigen::Matrix4d poseOf(const std::vector<double>& position, const std::vector<double>& orientation) {
-  Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
-  for (int row = 0; row < 3; ++row) {
-    pose(row, 3) = position[std::size_t(row)];
-    for (int column = 0; column < 3; ++column) pose(row, column) = orientation[std::size_t(3 * row + column)];
-  }
-  return pose;
-}
-
 Space spaceOf(const JsonReader& markup) {
   if (!isGiven(markup, "coordinateSystem")) return Space::lps;
   const std::string words = markup.at("coordinateSystem").text();
@@ -59,25 +49,22 @@ Item itemOf(const JsonReader& point, Space space) {
   const auto position = point.at("position").numbers(3);
   const Eigen::Matrix4d change =
       space == Space::lps ? lpsFromRas() : Eigen::Matrix4d(Eigen::Matrix4d::Identity());
-  std::vector<double> orientation;
+  std::vector<double> orientation{1, 0, 0, 0, 1, 0, 0, 0, 1};
   if (isGiven(point, "orientation")) orientation = point.at("orientation").numbers(9);
-  const Eigen::Matrix4d pose =
-      change *
-      poseOf(position, orientation.empty() ? std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1} : orientation);
-  if (!orientation.empty() && !isUnturned(pose)) {
-    item.pose = pose;
-  } else {
+  const Eigen::Matrix4d written = poseOfPlace(position, orientation), pose = change * written;
+  // Some writers leave the identity, others Slicer's own (the identity in RAS), where there is none.
+  if (isUnturned(pose) || isUnturned(written)) {
     item.kind = Kind::landmark;
     item.place_mm = pose.topRightCorner<3, 1>();
+  } else {
+    item.pose = pose;
   }
   return item;
 }
 
 }  // namespace
 
-bool isSlicerMarkups(const std::string& content) {
-  return startsWith(trimmed(content.substr(0, 200)), "{") && contains(content, "\"markups\"");
-}
+bool isSlicerMarkups(const std::string& content) { return isJsonWith(content, {"markups"}); }
 
 OtherFile readSlicerMarkups(const Source& source) {
   const auto json = jsonOf(source, "markups");

@@ -1,4 +1,3 @@
-#include "facenav/core/number_text.h"
 #include "json_pose.h"
 #include "readers.h"
 #include "text.h"
@@ -28,14 +27,10 @@ Item itemOf(const JsonReader& json, Kind kind) {
   item.name = textOr(json, "Name");
   if (isGiven(json, "Position")) item.place_mm = placeOf(json.at("Position"));
   if (isGiven(json, "Rotation")) item.values["Rotation x y z w"] = rotationOf(json.at("Rotation"));
-  item.reason = item.place_mm ? "a place only: how the axes of StimGuide's coil lie is not documented"
-                              : "the file has no position for it";
+  item.reason = item.place_mm ? kPlaceOnly : "the file has no position for it";
   if (isGiven(json, "Intensity") && isGiven(json.at("Intensity"), "Value"))
     item.intensity_pct = json.at("Intensity").at("Value").number();
-  if (const std::string time = textOr(json, "Time"); time.size() >= 19) {
-    item.time = time.substr(0, 10) + " " + time.substr(11, 12);
-    item.clock_s = clockOf(time.substr(0, 10), time.substr(11, 12));
-  }
+  setTime(textOr(json, "Time"), item);
   if (isGiven(json, "Target")) item.target = textOr(json.at("Target"), "Name");
   return item;
 }
@@ -49,10 +44,7 @@ HeadPoints pointsOf(const JsonReader& list) {
 
 }  // namespace
 
-bool isStimguide(const std::string& content) {
-  return startsWith(trimmed(content.substr(0, 200)), "{") && contains(content, "\"Stimuli\"") &&
-         contains(content, "\"Landmarks\"");
-}
+bool isStimguide(const std::string& content) { return isJsonWith(content, {"Stimuli", "Landmarks"}); }
 
 OtherFile readStimguide(const Source& source) {
   const auto json = jsonOf(source, "Targets");
@@ -61,15 +53,7 @@ OtherFile readStimguide(const Source& source) {
   file.space_words = "nasion and ears";
   file.head_points = pointsOf(json.at("Landmarks"));
   file.is_clock_utc = true;
-  const std::pair<const char*, Kind> kLists[] = {{"Targets", Kind::landmark}, {"Stimuli", Kind::pulse}};
-  for (const auto& [key, kind] : kLists) {
-    if (!isGiven(json, key)) continue;
-    int number = 0;
-    for (const auto& element : json.at(key).elements()) {
-      file.items.push_back(itemOf(element, kind));
-      file.items.back().where = formatted("%s[%d]", key, number++);
-    }
-  }
+  addItems(json, {{"Targets", Kind::landmark}, {"Stimuli", Kind::pulse}}, itemOf, file);
   return file;
 }
 

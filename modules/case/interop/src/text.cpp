@@ -107,8 +107,15 @@ std::optional<double> clockOf(const std::string& date, const std::string& time) 
   std::string day = trimmed(date), clock = trimmed(time);
   if (day.size() != 10 || clock.size() < 8) return std::nullopt;
   if (clock.size() == 8) clock += ".000";
-  if (clock.size() > 12) clock.resize(12);  // milliseconds
+  clock.resize(12, '0');  // milliseconds
   return secondsOfUtc(day + "T" + clock + "Z");
+}
+
+void setTime(const std::string& text, Item& item) {
+  if (text.size() < 19 || text[4] != '-' || text[7] != '-' || text[13] != ':') return;
+  const std::string time = text.substr(11, text.find_first_of("Z+", 11) - 11);
+  item.time = text.substr(0, 10) + " " + time;
+  item.clock_s = clockOf(text.substr(0, 10), time);
 }
 
 namespace {

@@ -12,6 +12,10 @@
 
 namespace facenav::interop {
 
+/// Why an item of a program has a place and no pose.
+inline constexpr const char* kPlaceOnly =
+    "a place only: how the axes of the program's coil lie is not documented";
+
 /// Lines without their ends, LF or CRLF; a last line without an end counts.
 std::vector<std::string> linesOf(const std::string& content);
 /// Cells of a line, also empty ones.
@@ -44,6 +48,8 @@ bool isUnturned(const Eigen::Matrix4d& pose);
 std::string plainFixed(double value, int decimals);
 /// Seconds since 1970 of "2026-03-05" and "10:20:30.176"; nothing for other text.
 std::optional<double> clockOf(const std::string& date, const std::string& time);
+/// Sets the time of an item by "2026-03-05T10:20:30.176" or with a blank; other text changes nothing.
+void setTime(const std::string& text, Item& item);
 /// "2026-03-05" and "10:20:30.176" of seconds since 1970.
 std::string dateOf(double clock_s);
 std::string timeOf(double clock_s);

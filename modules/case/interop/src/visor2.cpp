@@ -49,9 +49,7 @@ Json configurationOf(const Order& order) {
 
 }  // namespace
 
-bool isVisor2(const std::string& content) {
-  return startsWith(trimmed(content.substr(0, 200)), "{") && contains(content, "\"TargetMarkers\"");
-}
+bool isVisor2(const std::string& content) { return isJsonWith(content, {"TargetMarkers"}); }
 
 OtherFile readVisor2(const Source& source) {
   const auto json = jsonOf(source, "TargetMarkers");

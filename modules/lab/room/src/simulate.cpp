@@ -54,7 +54,9 @@ void addTruth(capture::RecordingWriter& writer, const GroundTruth& truth) {
   if (truth.camera_T_marker) camera_T_marker = truth.camera_T_marker->isometry();
   std::optional<Eigen::Isometry3d> camera_T_mri;
   if (truth.is_patient_there) camera_T_mri = truth.camera_T_mri.isometry();
-  writer.addTruth(truth.frame, camera_T_mri, camera_T_marker);
+  std::optional<Eigen::Isometry3d> camera_T_second;
+  if (truth.camera_T_second_marker) camera_T_second = truth.camera_T_second_marker->isometry();
+  writer.addTruth(truth.frame, camera_T_mri, camera_T_marker, camera_T_second);
 }
 
 }  // namespace
@@ -80,6 +82,10 @@ void simulate(const ScenarioOptions& options, std::shared_ptr<const VirtualPatie
   ScenarioOptions::visit(played, JsonVisitor{scenario["options"]});
   scenario["capture_camera_T_mri"] = rows(source.captureTruth().matrix());
   writeWholeFile(writer.temporaryFolder() / "coil.json", coilJson(source.coil()).dump(2) + "\n");
+  if (const auto& second = source.secondCoil()) {
+    writeWholeFile(writer.temporaryFolder() / "coil2.json", coilJson(*second).dump(2) + "\n");
+    scenario["mri_T_second_target"] = rows(source.secondTarget()->matrix());
+  }
   writeWholeFile(writer.temporaryFolder() / "scenario.json", scenario.dump(2) + "\n");
   cameras::writeProjector(source.projector(), writer.temporaryFolder() / "projector.yml");
   writer.close();

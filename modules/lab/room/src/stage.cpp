@@ -4,7 +4,6 @@
 #include <map>
 
 #include "facenav/stereo/dot_pattern.h"
-#include "optics/shapes.h"
 #include "optics/wall.h"
 #include "patient/face_mask.h"
 #include "patient/face_shape.h"
@@ -13,6 +12,7 @@
 #include "patient/loose_hair.h"
 #include "patient/skin_mesh.h"
 #include "patient/stranger.h"
+#include "props/hand_mesh.h"
 #include "props/marker_plate.h"
 
 namespace facenav::room {
@@ -34,15 +34,6 @@ std::vector<int> spreadOverFace(const VirtualPatient& patient) {
 
 cv::Mat patternOf(stereo::DotPattern kind) { return stereo::makeDotPattern(kind, 1); }
 
-surface::TriangleMesh handMesh() {
-  auto mesh = ellipsoid({0, 0, 0}, {38, 48, 14}, 32);
-  for (int finger = 0; finger < 4; ++finger)
-    mesh = joined(mesh,
-                  ellipsoid({-27.0 + 18.0 * finger, -75.0 - (finger % 3 ? 8.0 : 0.0), 0}, {8.5, 42, 8}, 20));
-  mesh = joined(mesh, ellipsoid({48, -15, 0}, {30, 10, 9}, 20));
-  return joined(mesh, ellipsoid({0, 150, 0}, {30, 130, 26}, 24));
-}
-
 }  // namespace
 
 bool Cast::operator==(const Cast& other) const {
@@ -50,9 +41,10 @@ bool Cast::operator==(const Cast& other) const {
     return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
   };
   return room_T_mri.matrix() == other.room_T_mri.matrix() && isSame(room_T_coil, other.room_T_coil) &&
-         isSame(room_T_hand, other.room_T_hand) && lamp_scale == other.lamp_scale &&
-         ambient_scale == other.ambient_scale && lamp_shift_mm == other.lamp_shift_mm && dots == other.dots &&
-         shown.data == other.shown.data && shown_strength == other.shown_strength && lamps == other.lamps &&
+         isSame(room_T_second, other.room_T_second) && isSame(room_T_hand, other.room_T_hand) &&
+         lamp_scale == other.lamp_scale && ambient_scale == other.ambient_scale &&
+         lamp_shift_mm == other.lamp_shift_mm && dots == other.dots && shown.data == other.shown.data &&
+         shown_strength == other.shown_strength && lamps == other.lamps &&
          isSame(room_T_body, other.room_T_body) && wetness == other.wetness && gloss == other.gloss &&
          has_mask == other.has_mask && has_glasses == other.has_glasses && stranger == other.stranger &&
          jaw_mm == other.jaw_mm && lids == other.lids && expression == other.expression &&
@@ -65,11 +57,16 @@ struct Stage::Implementation {
   std::shared_ptr<const VirtualPatient> patient;
   FaceShape face;
   std::vector<int> face_vertices;  // spread over the face, to measure how much of it is visible
+  struct CoilObjects {
+    int body = -1, plate = -1;
+  };
   RoomCoil coil;
+  std::optional<RoomCoil> second;
+  CoilObjects coil_objects, second_objects;
   std::array<FilmOptions, 2> films;  // left, right
   RayScene scene;
   std::vector<std::shared_ptr<const Look>> looks;
-  int head = -1, coil_body = -1, plate = -1, hand = -1, mask = -1, glasses = -1;
+  int head = -1, hand = -1, mask = -1, glasses = -1;
   double light_taken = 1.0, defocus_px = 0.0;
   struct Locks {
     std::unique_ptr<LooseHair> hair;  // created when hair is loose for the first time
@@ -156,6 +153,23 @@ struct Stage::Implementation {
     scene.setPose(mask, (camera_T_room * cast.room_T_mri).isometry());
   }
 
+  CoilObjects addCoil(const RoomCoil& one) {
+    const double plate_mm = kPlatePerMarker * one.marker_size_mm;
+    return {add(coilMesh(one), makePlainLook(0.16f, 0.05f)),
+            add(plateMesh(plate_mm, plate_mm),
+                makeMarkerLook(one.dictionary, one.marker_id, one.marker_size_mm))};
+  }
+
+  void placeCoil(const CoilObjects& objects, const RoomCoil& one,
+                 const std::optional<RigidTransform<Room, Coil>>& room_T_coil) {
+    scene.setShown(objects.body, room_T_coil.has_value());
+    scene.setShown(objects.plate, room_T_coil.has_value());
+    if (!room_T_coil) return;
+    const auto camera_T_coil = camera_T_room * *room_T_coil;
+    scene.setPose(objects.body, camera_T_coil.isometry());
+    scene.setPose(objects.plate, (camera_T_coil * one.marker_T_coil.inverse()).isometry());
+  }
+
   void placeProps(const Cast& cast) {
     for (const Prop& prop : props) {
       const bool is_of_head = prop.carrier == Carrier::head;
@@ -236,9 +250,7 @@ Stage::Stage(const cameras::StereoRig& rig, double rig_roll_deg,
   all.coil = coil;
   all.films = films;
   all.head = all.add(all.patient->visible, makeHeadLook(*all.patient, all.face));
-  all.coil_body = all.add(coilMesh(coil), makePlainLook(0.16f, 0.05f));
-  all.plate = all.add(plateMesh(kPlatePerMarker * coil.marker_size_mm, kPlatePerMarker * coil.marker_size_mm),
-                      makeMarkerLook(coil.dictionary, coil.marker_id, coil.marker_size_mm));
+  all.coil_objects = all.addCoil(coil);
   all.hand = all.add(handMesh(), makePlainLook(0.40f, 0.02f, 0.08f));
   all.lighting.has_colour = films[0].needsColour() || films[1].needsColour();
   set(Cast{});
@@ -252,6 +264,15 @@ void Stage::addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Loo
   all.props.push_back({all.add(mesh, std::move(look)), carrier});
   all.shown.reset();
   all.views = {};
+}
+
+void Stage::addSecondCoil(const RoomCoil& coil) {
+  auto& all = *implementation_;
+  all.second = coil;
+  all.second_objects = all.addCoil(coil);
+  all.shown.reset();
+  all.views = {};
+  set(Cast{});
 }
 
 void Stage::expose(const std::array<double, 2>& exposures) {
@@ -272,13 +293,8 @@ void Stage::set(const Cast& cast) {
   all.placeProps(cast);
   all.placeStranger(cast);
   all.placeLocks(*all.patient, 0, cast.stranger == 0, cast, all.locks);
-  all.scene.setShown(all.coil_body, cast.room_T_coil.has_value());
-  all.scene.setShown(all.plate, cast.room_T_coil.has_value());
-  if (cast.room_T_coil) {
-    const auto camera_T_coil = all.camera_T_room * *cast.room_T_coil;
-    all.scene.setPose(all.coil_body, camera_T_coil.isometry());
-    all.scene.setPose(all.plate, (camera_T_coil * all.coil.marker_T_coil.inverse()).isometry());
-  }
+  all.placeCoil(all.coil_objects, all.coil, cast.room_T_coil);
+  if (all.second) all.placeCoil(all.second_objects, *all.second, cast.room_T_second);
   all.scene.setShown(all.hand, cast.room_T_hand.has_value());
   if (cast.room_T_hand) all.scene.setPose(all.hand, all.camera_T_room.isometry() * *cast.room_T_hand);
   all.light(cast);
@@ -356,6 +372,7 @@ double Stage::faceVisibleFraction() const {
 
 const RigidTransform<Camera, Room>& Stage::camera_T_room() const { return implementation_->camera_T_room; }
 const RoomCoil& Stage::coil() const { return implementation_->coil; }
+const std::optional<RoomCoil>& Stage::secondCoil() const { return implementation_->second; }
 const cameras::StereoRig& Stage::rig() const { return implementation_->rig; }
 
 }  // namespace facenav::room

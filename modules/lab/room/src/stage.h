@@ -44,8 +44,8 @@ enum class Carrier { head, body };
 /// One moment in the room.
 struct Cast {
   RigidTransform<Room, Mri> room_T_mri;
-  std::optional<RigidTransform<Room, Coil>> room_T_coil;
-  std::optional<Eigen::Isometry3d> room_T_hand;  // a hand that hides part of the face
+  std::optional<RigidTransform<Room, Coil>> room_T_coil, room_T_second;  // second: Stage::addSecondCoil
+  std::optional<Eigen::Isometry3d> room_T_hand;                          // a hand that hides part of the face
   double lamp_scale = 1.0, ambient_scale = 1.0;
   Eigen::Vector3d lamp_shift_mm = Eigen::Vector3d::Zero();  // Room
   std::optional<stereo::DotPattern> dots;                   // projected; empty: the projector is off
@@ -77,6 +77,8 @@ class Stage {
 
   /// Adds something that the patient wears, in Mri; not worn by a stranger.
   void addProp(const surface::TriangleMesh& mesh, std::shared_ptr<const Look> look, Carrier carrier);
+  /// Adds a second coil, with a marker of its own.
+  void addSecondCoil(const RoomCoil& coil);
   /// Sets the exposure of both films.
   void expose(const std::array<double, 2>& exposures);
 
@@ -98,6 +100,8 @@ class Stage {
 
   const RigidTransform<Camera, Room>& camera_T_room() const;
   const RoomCoil& coil() const;
+  /// The second coil; nothing: none was added.
+  const std::optional<RoomCoil>& secondCoil() const;
   const cameras::StereoRig& rig() const;
 
  private:

@@ -53,11 +53,24 @@ RoomCoil coilFor(const ScenarioOptions& options, const VirtualPatient& patient,
                      {rig, cameraFromRoom(rig, options.rig.roll_deg), seatedHead(options, patient)});
 }
 
+/// The same pose on the other side of the head.
+std::optional<RigidTransform<Mri, frames::Target>> secondTargetOf(
+    const ScenarioOptions& options, const VirtualPatient& patient,
+    const RigidTransform<Mri, frames::Target>& target) {
+  if (options.coils < 2) return std::nullopt;
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
+  Eigen::Isometry3d other = target.isometry();
+  other.linear() = mirror * target.rotation() * mirror;  // the second factor keeps it a rotation
+  other.translation().x() = 2 * patient.head_centre.mm.x() - other.translation().x();
+  return RigidTransform<Mri, frames::Target>::fromIsometry(other);
+}
+
 }  // namespace
 
 struct SyntheticSource::Implementation {
   ScenarioOptions options;
   RigidTransform<Mri, frames::Target> target;
+  std::optional<RigidTransform<Mri, frames::Target>> second_target;
   Stage stage;
   std::unique_ptr<Script> script;
   std::int64_t number = 0;
@@ -68,9 +81,16 @@ struct SyntheticSource::Implementation {
                  const RigidTransform<Mri, frames::Target>& t)
       : options(resolved(o)),
         target(t),
+        second_target(secondTargetOf(options, *patient, t)),
         stage(statedRig(options), options.rig.roll_deg, seated(options, patient),
               coilFor(options, *patient, t), filmsOf(options)),
-        script(makeScript(options, *patient, t, stage.coil().marker_T_coil)) {}
+        script(makeScript(options, *patient, t, stage.coil().marker_T_coil, second_target)) {
+    if (!second_target) return;
+    RoomCoil second = coilFor(options, *patient, *second_target);
+    second.name += " B";
+    second.marker_id += 1;
+    stage.addSecondCoil(second);
+  }
 
   cameras::StereoFrame photograph(const Moment& moment) {
     const CameraFault fault = moment.fault;
@@ -120,6 +140,9 @@ struct SyntheticSource::Implementation {
       now.camera_T_coil = stage.camera_T_room() * *moment.cast.room_T_coil;
       now.camera_T_marker = *now.camera_T_coil * stage.coil().marker_T_coil.inverse();
     }
+    if (moment.cast.room_T_second && stage.secondCoil())
+      now.camera_T_second_marker =
+          stage.camera_T_room() * *moment.cast.room_T_second * stage.secondCoil()->marker_T_coil.inverse();
     now.label = moment.label;
     now.is_patient_there = moment.cast.stranger == 0;
     const bool is_shown = moment.fault == CameraFault::none && now.is_patient_there;
@@ -210,6 +233,12 @@ DepthMaps SyntheticSource::depth() const {
 }
 
 const RoomCoil& SyntheticSource::coil() const { return implementation_->stage.coil(); }
+const std::optional<RoomCoil>& SyntheticSource::secondCoil() const {
+  return implementation_->stage.secondCoil();
+}
+const std::optional<RigidTransform<Mri, frames::Target>>& SyntheticSource::secondTarget() const {
+  return implementation_->second_target;
+}
 const RigidTransform<Mri, frames::Target>& SyntheticSource::target() const { return implementation_->target; }
 
 }  // namespace facenav::room

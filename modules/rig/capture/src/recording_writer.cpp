@@ -59,7 +59,7 @@ struct RecordingWriter::Implementation {
   std::string place_name;
   WholeFolder folder;
   cameras::StereoRig rig;
-  std::string timestamps, head_truth, coil_truth;
+  std::string timestamps, head_truth, coil_truth, second_truth;
   bool has_right_times = false;
   std::optional<std::int64_t> last_number;
   double last_s = 0;
@@ -107,10 +107,12 @@ void RecordingWriter::setCapture(const CapturePair& pair) {
 }
 
 void RecordingWriter::addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
-                               const std::optional<Eigen::Isometry3d>& camera_T_marker) {
+                               const std::optional<Eigen::Isometry3d>& camera_T_marker,
+                               const std::optional<Eigen::Isometry3d>& camera_T_second_marker) {
   implementation_->requireOpen();
   if (camera_T_mri) implementation_->head_truth += poseLine(frame, *camera_T_mri);
   if (camera_T_marker) implementation_->coil_truth += poseLine(frame, *camera_T_marker);
+  if (camera_T_second_marker) implementation_->second_truth += poseLine(frame, *camera_T_second_marker);
 }
 
 const fs::path& RecordingWriter::temporaryFolder() const { return implementation_->path(); }
@@ -120,9 +122,12 @@ void RecordingWriter::close() {
   self.requireOpen();
   const std::string header = "frame,tx,ty,tz,qw,qx,qy,qz\n";
   writeWholeFile(self.path() / "timestamps.csv", timestampsFile(self.timestamps, self.has_right_times));
-  if (!self.head_truth.empty() || !self.coil_truth.empty()) fs::create_directories(self.path() / "truth");
+  if (!self.head_truth.empty() || !self.coil_truth.empty() || !self.second_truth.empty())
+    fs::create_directories(self.path() / "truth");
   if (!self.head_truth.empty()) writeWholeFile(self.path() / "truth" / "head.csv", header + self.head_truth);
   if (!self.coil_truth.empty()) writeWholeFile(self.path() / "truth" / "coil.csv", header + self.coil_truth);
+  if (!self.second_truth.empty())
+    writeWholeFile(self.path() / "truth" / "coil2.csv", header + self.second_truth);
   self.folder.commit();
   self.is_closed = true;
 }

@@ -60,6 +60,8 @@ std::vector<Correspondence> within(const std::optional<cv::Rect>& part,
   return kept;
 }
 
+bool isExplained(const Fit& fit) { return fit.share > kExplainedShare && fit.median_px < kExplained_px; }
+
 }  // namespace
 
 PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
@@ -87,9 +89,8 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
   const Fit explained = fitOf(best.right_T_left, rays);
   diagnosis.agreement = explained.share;
   diagnosis.right_T_left = RigidTransform<RightCamera, Camera>::fromIsometry(best.right_T_left);
-  const bool is_explained = explained.share > kExplainedShare && explained.median_px < kExplained_px &&
-                            best.cost < kExplainedCost * double(rays.size());
-  if (!is_explained)
+  const bool is_of_one_pose = isExplained(explained) && best.cost < kExplainedCost * double(rays.size());
+  if (!is_of_one_pose)
     diagnosis.state = RigState::out_of_step;
   else
     diagnosis.state = knocked.cost - best.cost < kKnockDoubt ? RigState::moved : RigState::other_cameras;
@@ -122,6 +123,26 @@ PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoF
   const auto diagnosis = diagnoseMatches(rig, matches);
   if (!diagnosis.isOfCameras()) return diagnosis;
   return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
+}
+
+OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                          const cv::Rect& face) {
+  if (frame.left.empty() || frame.right.empty()) return OffsetCause::unknown;
+  const auto all = matchPictures(frame.left, frame.right);
+  const cv::Rect person(face.x - face.width, face.y - face.height, 3 * face.width, frame.left.rows);
+  std::vector<Correspondence> on_face, in_room;
+  for (const auto& match : all) {
+    const cv::Point at(int(match.left_px.x()), int(match.left_px.y()));
+    if (face.contains(at)) on_face.push_back(match);
+    if (!person.contains(at)) in_room.push_back(match);
+  }
+  if (on_face.size() < kFewestMatches || in_room.size() < kFewestMatches) return OffsetCause::unknown;
+  if (diagnoseMatches(rig, in_room).state == RigState::holds) return OffsetCause::two_exposures;
+  const auto both = diagnoseMatches(rig, all);
+  const Eigen::Isometry3d moved = both.right_T_left.isometry();
+  const bool is_one_motion = both.isOfCameras() && isExplained(fitOf(moved, raysOf(rig, on_face, false))) &&
+                             isExplained(fitOf(moved, raysOf(rig, in_room, false)));
+  return is_one_motion ? OffsetCause::camera_moved : OffsetCause::unknown;
 }
 
 }  // namespace facenav::health

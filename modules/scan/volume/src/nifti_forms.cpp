@@ -24,6 +24,9 @@ NiftiForms readNiftiForms(const std::filesystem::path& path) {
   forms.quatern = {image->quatern_b, image->quatern_c, image->quatern_d};
   forms.offset = {image->qoffset_x, image->qoffset_y, image->qoffset_z};
   forms.pixdim = {image->qfac < 0 ? -1.0 : 1.0, image->dx, image->dy, image->dz};
+  forms.is_template_space = map.is_template_space;
+  const auto voxels = std::size_t(image->nx) * std::size_t(image->ny) * std::size_t(image->nz);
+  forms.values = int(image->nvox / voxels);
   return forms;
 }
 

@@ -1,6 +1,7 @@
 #include "facenav/plan/cortex_field.h"
 
 #include <cmath>
+#include <limits>
 
 #include "facenav/core/error.h"
 #include "facenav/geometry/rotation.h"
@@ -49,7 +50,8 @@ FieldOnCortex fieldOnCortex(const HeadField& head, const FieldSurfaces& surfaces
   result.field = head.at(coil, pose, asMatrix(surfaces.cortex.vertices_mm));
   result.at_target = head.at(coil, pose, Eigen::Matrix3Xd(target.cortex_point.mm)).col(0);
   result.normal = cortexNormal(surfaces, target);
-  result.along_normal = result.at_target.dot(result.normal.normal);
+  result.along_normal = head.hasDirections() ? result.at_target.dot(result.normal.normal)
+                                             : std::numeric_limits<double>::quiet_NaN();
   Eigen::Index strongest = 0;
   result.peak = std::sqrt(result.field.colwise().squaredNorm().maxCoeff(&strongest));
   result.peak_place = Point<Mri>(surfaces.cortex.vertices_mm[std::size_t(strongest)]);

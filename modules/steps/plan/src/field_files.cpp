@@ -3,18 +3,15 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
-#include "facenav/core/number_text.h"
 #include "facenav/efield/field_msh.h"
 #include "facenav/plan/cortex_field.h"
-#include "facenav/surface/closest_point.h"
 #include "facenav/surface/vector_file.h"
 #include "facenav/volume/nifti.h"
+#include "imported_field_checks.h"
+#include "imported_samples.h"
 
 namespace facenav::steps {
 namespace {
-
-constexpr double kFarthest_mm = 5;       // median distance of an imported field's points from the cortex
-constexpr Eigen::Index kChecked = 2000;  // points whose distance is measured
 
 bool endsIn(const std::filesystem::path& path, const char* extension) {
   return path.extension() == extension;
@@ -24,35 +21,12 @@ bool isNifti(const std::filesystem::path& path) {
   return endsIn(path, ".nii") || (endsIn(path, ".gz") && endsIn(path.stem(), ".nii"));
 }
 
-efield::FieldSamples importedField(const std::filesystem::path& file) {
-  if (endsIn(file, ".msh")) return efield::readFieldMsh(file);
-  if (!endsIn(file, ".vtp"))
-    throw Error("a field to compare with is a .msh or .vtp file", file.string(), "export it as one of them");
-  const auto read = surface::readVectors(file, "E");
-  efield::FieldSamples samples;
-  samples.points_mm.resize(3, Eigen::Index(read.vectors.size()));
-  samples.field.resize(3, samples.points_mm.cols());
-  for (Eigen::Index i = 0; i < samples.points_mm.cols(); ++i) {
-    samples.points_mm.col(i) = read.mesh.vertices_mm[std::size_t(i)];
-    samples.field.col(i) = read.vectors[std::size_t(i)].cast<double>();
-  }
-  samples.magnitude = samples.field.colwise().norm().transpose();
-  return samples;
-}
-
-void requireOnCortex(const Eigen::Matrix3Xd& points_mm, const surface::TriangleMesh& cortex,
-                     const std::filesystem::path& file) {
-  const surface::ClosestPoint tree(cortex);
-  std::vector<double> away_mm;
-  const Eigen::Index step = std::max<Eigen::Index>(1, points_mm.cols() / kChecked);
-  for (Eigen::Index i = 0; i < points_mm.cols(); i += step)
-    away_mm.push_back(tree.nearest(Point<Mri>(Eigen::Vector3d(points_mm.col(i)))).distance_mm);
-  std::nth_element(away_mm.begin(), away_mm.begin() + long(away_mm.size() / 2), away_mm.end());
-  const double median_mm = away_mm[away_mm.size() / 2];
-  if (!(median_mm <= kFarthest_mm))
-    throw Error(formatted("the field lies on another cortex: half of its points are more than %.0f mm away",
-                          median_mm),
-                file.string(), "import a field of this patient, in the coordinates of the case's MRI");
+/// The other program's field where it is compared: on its own cortex, else of a volume on the case's one.
+efield::FieldSamples samplesToCompare(const std::filesystem::path& file, const std::filesystem::path& surface,
+                                      const FieldSurfaces& surfaces) {
+  if (fieldFileOf(file) == FieldFile::msh) return efield::readFieldMsh(file);
+  const auto other = readOtherField(file, surface);
+  return other.image ? samplesAt(*other.image, surfaces.cortex.vertices_mm) : other.samples.grey;
 }
 
 /// Fills in what both fields (3 x n vectors or a row of magnitudes) say; `ours` after scaling.
@@ -96,8 +70,9 @@ void writeField(const HeadField& head, const FieldSurfaces& surfaces, const efie
 
 FieldComparison compareField(const HeadField& head, const FieldSurfaces& surfaces,
                              const efield::CoilDipoles& coil, const guidance::Target& target,
-                             const std::filesystem::path& file, std::optional<double> rate_A_per_us) {
-  const auto imported = importedField(file);
+                             const std::filesystem::path& file, std::optional<double> rate_A_per_us,
+                             const std::filesystem::path& surface) {
+  const auto imported = samplesToCompare(file, surface, surfaces);
   requireOnCortex(imported.points_mm, surfaces.cortex, file);
   const bool has_vectors = imported.field.cols() > 0;
   const Eigen::MatrixXd theirs =

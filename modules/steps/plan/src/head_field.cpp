@@ -6,6 +6,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/efield/local_sphere.h"
 #include "facenav/efield/primary_field.h"
+#include "facenav/plan/imported_field.h"
 #include "facenav/prepare/case_field.h"
 #include "kept_shells.h"
 
@@ -102,6 +103,7 @@ FieldSurfaces fieldSurfaces(const casefile::CaseStore& store) {
 
 std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const FieldSurfaces& surfaces,
                                      const CoilPose& near, std::optional<FieldTier> wanted) {
+  FACENAV_EXPECT(wanted != FieldTier::imported, "an imported field is that of a target: importedHead()");
   const auto sphere = efield::localSphere(surfaces.skull_mm, near.translation_mm());
   if (wanted == FieldTier::local_sphere) return std::make_unique<SphereHead>(sphere);
   auto shells = wanted ? keptShells(store, *wanted) : keptShells(store);
@@ -117,7 +119,8 @@ std::unique_ptr<HeadField> headField(const casefile::CaseStore& store, const Fie
 }
 
 ReadHead::ReadHead(const casefile::CaseStore& store)
-    : surfaces_(fieldSurfaces(store)),
+    : store_(store),
+      surfaces_(fieldSurfaces(store)),
       stamp_(stampOf(store)),
       can_have_shells_(canHaveField(store)),
       shells_(keptShells(store)) {}
@@ -137,6 +140,10 @@ FieldTier ReadHead::tier() const { return shells_ ? shells_->tier : FieldTier::l
 
 std::unique_ptr<HeadField> ReadHead::near(const CoilPose& pose) const {
   return surest(shells_, efield::localSphere(surfaces_.skull_mm, pose.translation_mm()));
+}
+
+std::unique_ptr<HeadField> ReadHead::imported(const guidance::Target& target) const {
+  return importedHead(store_, target);
 }
 
 CoilPose coilPoseOf(const guidance::Target& target) {

@@ -1,6 +1,7 @@
 #include "facenav/plan/import_other.h"
 
 #include <algorithm>
+#include <map>
 
 #include "facenav/casefile/landmarks_file.h"
 #include "facenav/core/error.h"
@@ -11,6 +12,7 @@
 #include "facenav/plan/plan_edits.h"
 #include "facenav/volume/nifti.h"
 #include "imported_session.h"
+#include "same_image.h"
 
 namespace facenav::steps {
 namespace {
@@ -20,7 +22,6 @@ using interop::Kind;
 
 /// Differences below them come from the digits of a file.
 constexpr double kSame_mm = 0.05, kSame_deg = 0.05;
-constexpr double kSameImage = 0.95;  // least correlation of an image with a copy that was rounded or scaled
 constexpr std::size_t kSkinPoints = 4000;  // of the skin, to judge poses by: some mm apart
 
 bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>& pose) {
@@ -28,10 +29,12 @@ bool isSamePose(const guidance::Target& target, const RigidTransform<Mri, Coil>&
   return error.translation_mm < kSame_mm && error.rotation_rad * kDegPerRad < kSame_deg;
 }
 
-/// A name that no other item of the file has: the second "M1" becomes "M1 (2)".
-void makeNameSingle(Item& item, std::set<std::string>& names) {
+/// A name that no other item of the file has: the second "M1" becomes "M1 (2)". `names`: those in use, and
+/// how often each was met.
+void makeNameSingle(Item& item, std::map<std::string, int>& names) {
   const std::string name = item.name;
-  for (int count = 2; !names.insert(item.name).second; ++count) item.name = name + formatted(" (%d)", count);
+  while (names.count(item.name) > 0) item.name = name + formatted(" (%d)", ++names[name]);
+  names[item.name] = 1;
   if (item.name != name) item.notes.push_back("the file has the name '" + name + "' twice");
 }
 
@@ -92,7 +95,7 @@ PreviewedItem judged(const Item& item, const Known& known, const OtherImport& or
     previewed.reason = item.refusal;
   } else if (item.kind == Kind::target) {
     judgeTarget(previewed, known, order);
-  } else if (item.kind == Kind::pulse && !item.mri_place) {
+  } else if (item.kind == Kind::pulse) {
     judgePulse(previewed, known, order);
   } else {
     previewed.reason =
@@ -101,46 +104,31 @@ PreviewedItem judged(const Item& item, const Known& known, const OtherImport& or
   return previewed;
 }
 
-/// Throws Error unless the NIfTI that the user named holds the case's image, in whatever world and order.
-void requireSameImage(const casefile::CaseStore& store, const interop::T1& theirs, const interop::T1& ours) {
-  const auto their_grid = interop::canonical(theirs.grid), our_grid = interop::canonical(ours.grid);
-  if (their_grid.size != our_grid.size || their_grid.matches(our_grid)) return;  // check() says the first
-  const auto a = volume::readNifti(theirs.path).volume, b = store.mri();
-  constexpr double kSteps = 25;
-  double n = 0, sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
-  for (double i = 0; i < kSteps; ++i)
-    for (double j = 0; j < kSteps; ++j)
-      for (double k = 0; k < kSteps; ++k) {
-        const Eigen::Vector3d part = Eigen::Vector3d(i, j, k) / (kSteps - 1);
-        const Eigen::Vector3d ijk(std::round(part.x() * (our_grid.size[0] - 1)),
-                                  std::round(part.y() * (our_grid.size[1] - 1)),
-                                  std::round(part.z() * (our_grid.size[2] - 1)));
-        const double x = volume::sampleLinear(a, a.grid.toVoxel(their_grid.toMri(ijk))),
-                     y = volume::sampleLinear(b, b.grid.toVoxel(our_grid.toMri(ijk)));
-        n += 1, sum_a += x, sum_b += y, aa += x * x, bb += y * y, ab += x * y;
-      }
-  const double variance = (aa - sum_a * sum_a / n) * (bb - sum_b * sum_b / n);
-  if (variance > 0 && ab - sum_a * sum_b / n > kSameImage * std::sqrt(variance)) return;
-  throw Error("is not the case's T1: its voxels hold another image", theirs.path.string(),
-              "name the T1 that the case was prepared from");
+/// The T1 that a data set names and holds. Some sets hold an empty file in its place.
+std::optional<interop::T1> intendedT1(interop::OtherFile& file) {
+  if (file.intended_t1.empty()) return std::nullopt;
+  try {
+    return interop::readT1(file.intended_t1);
+  } catch (const Error& error) {
+    file.notes.push_back("its T1 '" + file.image_words +
+                         "' cannot be compared with the case's: " + error.what());
+    return std::nullopt;
+  }
 }
 
 void noteClock(const OtherImport& order, ImportPreview& preview) {
+  const auto has_clock = [](const PreviewedItem& item) { return item.item.clock_s.has_value(); };
   if (preview.pulses() == 0 || preview.file.is_clock_utc) return;
+  if (std::none_of(preview.items.begin(), preview.items.end(), has_clock)) return;
   preview.file.notes.push_back(
       formatted("the times of its pulses name no zone: taken as UTC%+g (--utc-offset)", order.utc_offset_h));
 }
 
-ImportPreview previewOf(const casefile::CaseStore& store, const interop::CaseHead& head,
-                        const OtherImport& order, Known known) {
-  std::optional<interop::T1> file_t1;
-  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
-  if (file_t1) requireSameImage(store, *file_t1, head.t1);
-  ImportPreview preview;
-  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
-  interop::check(preview.file, head, order.answers, file_t1);
-  known.imported_sessions = importedSessions(store, order);
-  std::set<std::string> names;
+/// Judges the items of `preview.file`, which check() has seen, against the case's plan.
+ImportPreview withFates(const casefile::CaseStore& store, const OtherImport& order, ImportPreview preview,
+                        Known known) {
+  known.imported_sessions = importedSessions(store, order, preview);
+  std::map<std::string, int> names;
   for (auto& item : preview.file.items) {
     if (item.kind == Kind::target && item.mri_T_coil) makeNameSingle(item, names);
     preview.items.push_back(judged(item, known, order));
@@ -148,6 +136,18 @@ ImportPreview previewOf(const casefile::CaseStore& store, const interop::CaseHea
   preview.file.items.clear();
   noteClock(order, preview);
   return preview;
+}
+
+ImportPreview previewOf(const casefile::CaseStore& store, const interop::CaseHead& head,
+                        const OtherImport& order, Known known) {
+  std::optional<interop::T1> file_t1;
+  if (!order.t1.empty()) file_t1 = interop::readT1(order.t1);
+  ImportPreview preview;
+  preview.file = interop::readOther(order.file, file_t1 ? &*file_t1 : &head.t1);
+  if (!file_t1) file_t1 = intendedT1(preview.file);
+  if (file_t1) requireSameImage(store, *file_t1, head.t1);
+  interop::check(preview.file, head, order.answers, file_t1);
+  return withFates(store, order, std::move(preview), std::move(known));
 }
 
 }  // namespace
@@ -206,6 +206,14 @@ interop::CaseHead caseHead(const casefile::CaseStore& store) {
     if (finding.find("the qform is used") != std::string::npos) head.used_of_two = interop::Form::qform;
   }
   return head;
+}
+
+ImportPreview previewItems(const casefile::CaseStore& store, const interop::CaseHead& head,
+                           const OtherImport& order, interop::OtherFile items) {
+  ImportPreview preview;
+  preview.file = std::move(items);
+  interop::check(preview.file, head, order.answers);
+  return withFates(store, order, std::move(preview), {store.targets(), {}, {}});
 }
 
 ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order) {

@@ -1,9 +1,9 @@
 #include "imported_session.h"
 
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/pulse_file.h"
@@ -65,12 +65,14 @@ casefile::Pulse pulseOf(const interop::Item& item, int number, double start_s, c
                         const ImportPreview& preview, const guidance::TreatmentPlan& plan) {
   casefile::Pulse pulse;
   pulse.number = number;
-  pulse.source = preview.file.format + ": " + order.file.filename().string();
+  pulse.source = preview.file.format + ": " + nameOf(order);
   pulse.reason = item.reason.empty() ? "no pose" : item.reason;
   if (item.clock_s) {
     const double utc_s = *item.clock_s - aheadOf(order, preview);
     pulse.utc = isoOf(utc_s);
     pulse.steady_s = pulse.t_s.emplace(utc_s - start_s);
+  } else if (item.onset_s) {
+    pulse.steady_s = pulse.t_s.emplace(*item.onset_s);
   }
   if (const auto* target = find(plan, item.target)) {
     pulse.target = *target;
@@ -94,13 +96,13 @@ fs::path freeFolder(const casefile::CaseStore& store, const std::string& first_u
 }
 
 void writeOrigin(const fs::path& folder, const OtherImport& order, const ImportPreview& preview,
-                 const std::string& session) {
+                 const std::string& session, const std::string& sha256) {
   const nlohmann::ordered_json json{{"format", "facenav imported session"},
                                     {"version", 1},
-                                    {"file", order.file.filename().string()},
+                                    {"file", nameOf(order)},
                                     {"from", preview.file.words},
                                     {"session", session},
-                                    {"sha256", casefile::sha256OfFile(order.file)},
+                                    {"sha256", sha256},
                                     {"utc_offset_h", order.utc_offset_h},
                                     {"imported_utc", isoUtc(std::chrono::system_clock::now())},
                                     {"software_version", softwareVersion()}};
@@ -116,14 +118,15 @@ void writeEvents(const fs::path& folder, const OtherImport& order, const ImportP
     lines += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   };
   add(first_utc, "session started", "");
-  add(first_utc, "imported", order.file.filename().string() + " (" + preview.file.words + ")");
+  add(first_utc, "imported", nameOf(order) + " (" + preview.file.words + ")");
   add(last_utc, "session ended", "");
   writeWholeFile(folder / "events.jsonl", lines);
 }
 
 NewSession newSession(const casefile::CaseStore& store, const OtherImport& order,
                       const ImportPreview& preview, const guidance::TreatmentPlan& plan,
-                      const std::string& name, const Pulses& pulses, const std::vector<fs::path>& taken) {
+                      const std::string& name, const Pulses& pulses, const std::string& sha256,
+                      const std::vector<fs::path>& taken) {
   std::optional<double> first_s, last_s;
   for (const auto* pulse : pulses) {
     if (!pulse->clock_s) continue;
@@ -142,11 +145,23 @@ NewSession newSession(const casefile::CaseStore& store, const OtherImport& order
   for (const auto* pulse : pulses)
     file.keep(pulseOf(*pulse, ++made.pulses, first_s.value_or(0), order, preview, plan));
   writeEvents(folder, order, preview, first_utc, last_utc);
-  writeOrigin(folder, order, preview, name);
+  writeOrigin(folder, order, preview, name, sha256);
   return made;
 }
 
+/// Hash of the file, or of the files that were read of a folder.
+std::string hashOf(const OtherImport& order, const ImportPreview& preview) {
+  if (!fs::is_directory(order.file)) return casefile::sha256OfFile(order.file);
+  std::string hashes;
+  for (const auto& part : preview.file.parts) hashes += casefile::sha256OfFile(part);
+  return casefile::sha256OfText(hashes);
+}
+
 }  // namespace
+
+std::string nameOf(const OtherImport& order) {
+  return fs::absolute(order.file / "").lexically_normal().parent_path().filename().string();
+}
 
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
                                     const ImportPreview& preview, const guidance::TreatmentPlan& plan,
@@ -158,19 +173,22 @@ std::vector<NewSession> newSessions(const casefile::CaseStore& store, const Othe
     if (item.kind == interop::Kind::pulse && fate == ItemFate::added)
       by_session[item.session].push_back(&item);
   std::vector<NewSession> made;
+  if (by_session.empty()) return made;
+  const std::string sha256 = hashOf(order, preview);
   for (const auto& [name, pulses] : by_session) {
-    made.push_back(newSession(store, order, preview, plan, name, pulses, taken));
+    made.push_back(newSession(store, order, preview, plan, name, pulses, sha256, taken));
     taken.push_back(made.back().folder);
   }
   return made;
 }
 
-std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order) {
+std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order,
+                                       const ImportPreview& preview) {
   std::set<std::string> names;
   std::optional<std::string> sha256;
   for (const auto& folder : casefile::sessionFolders(store.folder())) {
     if (!fs::exists(folder / kImported)) continue;
-    if (!sha256) sha256 = casefile::sha256OfFile(order.file);
+    if (!sha256) sha256 = hashOf(order, preview);
     try {
       const auto origin = JsonReader::readFile(folder / kImported);
       const bool is_same_clock =

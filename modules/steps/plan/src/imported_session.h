@@ -17,6 +17,9 @@ struct NewSession {
   int pulses = 0;
 };
 
+/// Name of the imported file or folder, without the folders above it.
+std::string nameOf(const OtherImport& order);
+
 /// Writes a session for each session of the file, under a name that neither the case nor `others` have.
 /// Throws Error; nothing is visible before the folders are committed.
 std::vector<NewSession> newSessions(const casefile::CaseStore& store, const OtherImport& order,
@@ -24,6 +27,7 @@ std::vector<NewSession> newSessions(const casefile::CaseStore& store, const Othe
                                     const std::vector<NewSession>& others);
 /// Names, as the file has them, of the sessions that were imported before from a file of this content, with
 /// this offset of its clock.
-std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order);
+std::set<std::string> importedSessions(const casefile::CaseStore& store, const OtherImport& order,
+                                       const ImportPreview& preview);
 
 }  // namespace facenav::steps

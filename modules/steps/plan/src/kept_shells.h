@@ -18,19 +18,16 @@ class KeptPlaces {
     for (Eigen::Index i = 0; i < places_mm.cols(); ++i) by_cube_[cubeOf(places_mm.col(i))].push_back(i);
   }
   Eigen::Index nearest(const Eigen::Vector3f& p_mm) const {
-    const auto [x, y, z] = cubeOf(p_mm);
-    Nearest best;
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz) {
-          const auto there = by_cube_.find({x + dx, y + dy, z + dz});
-          if (there == by_cube_.end()) continue;
-          for (const Eigen::Index i : there->second) best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
-        }
+    Nearest best = nearestAround(p_mm);
     if (best.number >= 0 && best.off_mm2 <= kCube_mm * kCube_mm) return best.number;
     for (Eigen::Index i = 0; i < places_mm_.cols(); ++i)  // deep in the brain
       best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
     return best.number;
+  }
+  /// The nearest place within a distance of at most the cubes' size; -1: there is none.
+  Eigen::Index nearestWithin(const Eigen::Vector3f& p_mm, float most_mm) const {
+    const Nearest best = nearestAround(p_mm);
+    return best.number >= 0 && best.off_mm2 <= most_mm * most_mm ? best.number : -1;
   }
 
  private:
@@ -43,6 +40,18 @@ class KeptPlaces {
       if (number < 0 || d_mm2 < off_mm2) number = i, off_mm2 = d_mm2;
     }
   };
+  Nearest nearestAround(const Eigen::Vector3f& p_mm) const {
+    const auto [x, y, z] = cubeOf(p_mm);
+    Nearest best;
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz) {
+          const auto there = by_cube_.find({x + dx, y + dy, z + dz});
+          if (there == by_cube_.end()) continue;
+          for (const Eigen::Index i : there->second) best.take(i, (places_mm_.col(i) - p_mm).squaredNorm());
+        }
+    return best;
+  }
   static Cube cubeOf(const Eigen::Vector3f& p_mm) {
     const Eigen::Vector3f c = (p_mm / kCube_mm).array().floor();
     return {int(c.x()), int(c.y()), int(c.z())};

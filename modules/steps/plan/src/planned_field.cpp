@@ -17,6 +17,10 @@ Eigen::VectorXd drawnStrength(const ReadHead& head, const HeadField& field, cons
   return field.at(coil, coilPoseOf(wanted.target), at_mm).colwise().norm().transpose();
 }
 
+std::unique_ptr<HeadField> modelOf(const ReadHead& head, const WantedField& wanted) {
+  return wanted.imported ? head.imported(wanted.target) : head.near(coilPoseOf(wanted.target));
+}
+
 }  // namespace
 
 double inA_per_us(const CurrentRate& rate, const efield::CoilDipoles& coil) {
@@ -31,7 +35,7 @@ PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskM
   const auto coil = efield::fieldCoil(wanted.coil).dipoles;
   PlannedField result;
   result.rate_A_per_us = inA_per_us(wanted.rate, coil);
-  const auto field = head.near(coilPoseOf(wanted.target));
+  const auto field = modelOf(head, wanted);
   result.tier = field->tier();
   result.usual_error = field->usualError();
   monitor.report("electric field", 0.2);
@@ -41,7 +45,7 @@ PlannedField plannedField(const ReadHead& head, const WantedField& wanted, TaskM
   result.peak = result.rate_A_per_us * on_cortex.peak;
   result.peak_distance_mm = on_cortex.peak_distance_mm;
   result.peak_place = on_cortex.peak_place;
-  if (wanted.threshold)
+  if (wanted.threshold && !wanted.imported)  // the hotspot's field would be another model's
     result.dose = thresholdDose(head, coil, *wanted.threshold, on_cortex.at_target.norm());
   monitor.report("electric field", 0.6);
   if (!wanted.drawn) return result;
@@ -57,8 +61,8 @@ PlannedReach plannedReach(const ReadHead& head, const WantedField& wanted, const
   const auto coil = efield::fieldCoil(wanted.coil).dipoles;
   const double rate = inA_per_us(wanted.rate, coil);
   PlannedReach result;
-  if (head.surfaces().brain_mask) {
-    const auto field = head.near(coilPoseOf(wanted.target));
+  const auto field = modelOf(head, wanted);
+  if (head.surfaces().brain_mask && field->fillsBrain()) {
     const auto on_cortex = fieldOnCortex(*field, head.surfaces(), coil, wanted.target);
     auto in_brain = fieldInBrain(*field, head.surfaces(), coil, wanted.target, on_cortex, monitor, label);
     result.regions = std::move(in_brain.regions);
@@ -67,7 +71,7 @@ PlannedReach plannedReach(const ReadHead& head, const WantedField& wanted, const
     result.in_brain = std::move(strength);
   }
   monitor.report("comparison of poses", 0.8);
-  if (wanted.against) result.against = comparePlanned(head, wanted, *wanted.against);
+  if (wanted.against && !wanted.imported) result.against = comparePlanned(head, wanted, *wanted.against);
   return result;
 }
 

@@ -16,7 +16,7 @@ using interop::Item;
 using interop::Kind;
 
 std::string originOf(const OtherImport& order, const interop::OtherFile& file) {
-  return order.file.filename().string() + " (" + file.words + ")";
+  return nameOf(order) + " (" + file.words + ")";
 }
 
 /// The surfaces that a target's points lie on.

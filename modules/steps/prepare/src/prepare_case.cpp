@@ -12,6 +12,7 @@
 #include "facenav/dicom/patient.h"
 #include "facenav/pictures/face_measures_picture.h"
 #include "facenav/prepare/case_pictures.h"
+#include "facenav/prepare/case_source.h"
 #include "facenav/prepare/preparation.h"
 
 namespace facenav::steps {
@@ -96,6 +97,8 @@ PrepareOutcome prepareCase(const Registrations& methods, const PrepareRequest& r
                              {"brain", request.brain_segmenter},
                              {"nifti_transform", request.nifti_transform}},
                             {{"input", casefile::sha256OfInput(request.input)}}};
+  if (imported.series)
+    step.input_sha256[kSeriesUidHash] = casefile::sha256OfText(imported.series->series_uid);
   // Draws while files are written.
   auto face_picture = std::async(std::launch::async, [&prepared] { return faceMeasuresPicture(prepared); });
   auto distance_picture = std::async(std::launch::async, [&prepared] { return distancePicture(prepared); });

@@ -8,6 +8,8 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/utc_time.h"
+#include "xdf/mep_xdf.h"
+#include "xdf/xdf_file.h"
 
 namespace facenav::steps {
 namespace {
@@ -117,7 +119,7 @@ std::map<int, std::vector<const MepRow*>> rowsByPulse(const MepFile& file,
       match.largest_off_ms = std::max(match.largest_off_ms, off_ms);
     } else {
       match.left_out.push_back(
-          formatted("line %d: %s", row.line,
+          formatted("%s %d: %s", file.row_word, row.line,
                     found.empty() ? "no pulse at its time" : "several pulses are at its time"));
     }
   }
@@ -126,10 +128,12 @@ std::map<int, std::vector<const MepRow*>> rowsByPulse(const MepFile& file,
 
 }  // namespace
 
-MepFile readMepFile(const std::filesystem::path& csv) {
-  const CsvTable table(csv, kTypedByHand);
+MepFile readMepFile(const std::filesystem::path& path, const XdfChoice& choice,
+                    const MepImportLimits& limits) {
+  if (XdfFile::isXdf(path)) return readXdfMeps(path, choice, limits);
+  const CsvTable table(path, kTypedByHand);
   MepFile file;
-  file.name = csv.filename().string();
+  file.name = path.filename().string();
   file.is_utc = table.findColumn("utc").has_value();
   const std::size_t time = table.column(file.is_utc ? "utc" : "t_s"), mep = table.column("mep_uv");
   const auto latency = table.findColumn("latency_ms");
@@ -159,6 +163,7 @@ MepMatch matchMeps(const MepFile& file, const std::vector<casefile::ReviewedPuls
         std::string("no pulse of the session has a time on the clock ") + (file.is_utc ? "utc" : "t_s"),
         file.name, "the session's pulses were kept by an older version");
   MepMatch match;
+  if (!offset_s && file.is_own_clock) offset_s = 0;
   if (offset_s) {
     match.offset_s = *offset_s;
     match.fits = fitsOf(file.rows, times, *offset_s, limits.mep_same_time_s);
@@ -176,7 +181,8 @@ MepMatch matchMeps(const MepFile& file, const std::vector<casefile::ReviewedPuls
       continue;
     }
     for (const MepRow* row : rows)
-      match.left_out.push_back(formatted("line %d: another row is at the same pulse, %d", row->line, number));
+      match.left_out.push_back(
+          formatted("%s %d: another row is at the same pulse, %d", file.row_word, row->line, number));
   }
   return match;
 }

@@ -14,7 +14,8 @@
 namespace facenav::steps {
 namespace {
 
-constexpr double kSigmas95 = 1.96;  // of a normal distribution: 95 %
+constexpr double kSigmas95 = 1.96;              // of a normal distribution: 95 %
+constexpr std::chrono::milliseconds kWait(20);  // for a state, before other wishes are looked at again
 
 /// Bound of the worst axis of a 3 x 3 covariance.
 double worst95(const Eigen::Matrix3d& covariance) {
@@ -93,8 +94,8 @@ std::optional<LivePose> livePose(const session::NavigationState& state) {
 bool mayBeShown(const LiveField& field, const session::NavigationState& now) {
   static const double kMostBehind_s = session::SessionOptions().age_limit_s;  // same limit as for poses
   const double behind_s = now.arrived - field.arrived;
-  return now.camera_T_mri && now.camera_T_coil && !now.withheld && behind_s >= 0 &&
-         behind_s <= kMostBehind_s && isOfTarget(field, now);
+  return now.camera_T_mri && now.camera_T_coil && !now.withheld && std::abs(behind_s) <= kMostBehind_s &&
+         isOfTarget(field, now);
 }
 
 double ofThreshold_pct(const LiveField& field, double output_pct, const ThresholdDose& dose) {
@@ -102,13 +103,14 @@ double ofThreshold_pct(const LiveField& field, double output_pct, const Threshol
 }
 
 struct LiveFieldWorker::Implementation {
+  using States = std::shared_ptr<const LatestValue<session::NavigationState>>;
   std::function<void()> done;
-  mutable std::mutex mutex;  // guards the members below
+  mutable std::mutex mutex;  // guards the members below; never held while a field is computed
   std::condition_variable changed;
   std::optional<LiveFieldSubject> subject;
-  std::optional<LivePose> pose;
+  States states;
   std::optional<guidance::Target> target, wanted_target;  // the newest one; the one still to compute
-  int wish = 0, pose_wish = 0;                            // counts subjects; forgotten poses
+  int wish = 0, states_wish = 0;                          // counts subjects; states that were followed
   std::shared_ptr<const LiveField> field;
   std::shared_ptr<const PlannedStrength> planned;
   std::string failure;
@@ -120,40 +122,68 @@ struct LiveFieldWorker::Implementation {
     std::optional<LiveFieldSubject> to_read;
     std::optional<LivePose> pose;
     std::optional<guidance::Target> target;
-    int wish = 0, pose_wish = 0;
+    int wish = 0, states_wish = 0;
   };
-  int read_wish = 0;                        // used only by the thread, with the next one
+  int read_wish = 0, seen_wish = 0;         // used only by the thread, with the next two
   std::shared_ptr<const ReadSubject> read;  // null: none, or it failed
+  std::shared_ptr<const session::NavigationState> seen;
 
   void run();
   std::optional<Work> next();
+  std::optional<LivePose> newerPose(std::unique_lock<std::mutex>& lock);
+  void wantPlanned(const guidance::Target& newest);
   void compute(const Work& work);
-  void drop();
 };
 
-void LiveFieldWorker::Implementation::drop() {
-  field.reset();
-  pose.reset();
-  ++pose_wish;
+void LiveFieldWorker::Implementation::wantPlanned(const guidance::Target& newest) {
+  if (target && isSameTarget(*target, newest)) return;
+  target = wanted_target = newest;
+  planned.reset();
+}
+
+/// Waits a short time for a state that was not seen; unlocks meanwhile. Nothing: none came, it is of no use
+/// any more, or it has no pose; then there is no field either.
+std::optional<LivePose> LiveFieldWorker::Implementation::newerPose(std::unique_lock<std::mutex>& lock) {
+  if (seen_wish != states_wish) seen.reset();
+  seen_wish = states_wish;
+  const int wish_before = wish;
+  const States followed = states;
+  lock.unlock();
+  const auto state = followed->newerThan(seen, kWait);
+  lock.lock();
+  if (!state || is_stopping || wish != wish_before || states_wish != seen_wish) return std::nullopt;
+  seen = state;
+  auto pose = livePose(*state);
+  if (!pose) field.reset();
+  return pose;
 }
 
 /// Waits for work; nothing: the end.
 std::optional<LiveFieldWorker::Implementation::Work> LiveFieldWorker::Implementation::next() {
   std::unique_lock lock(mutex);
-  changed.wait(lock, [this] {
-    return is_stopping || wish != read_wish || (subject && !is_unreadable && (pose || wanted_target));
-  });
-  if (is_stopping) return std::nullopt;
-  Work work;
-  work.wish = wish;
-  work.pose_wish = pose_wish;
-  if (wish != read_wish) {
-    work.to_read = subject;
+  const auto is_readable = [this] { return subject && !is_unreadable; };
+  for (;;) {
+    if (!states) seen.reset();
+    changed.wait(lock, [&] {
+      return is_stopping || wish != read_wish || (is_readable() && (states || wanted_target));
+    });
+    if (is_stopping) return std::nullopt;
+    Work work;
+    if (wish != read_wish) {
+      seen.reset();  // its field is wanted of the new subject as well
+      work.to_read = subject;
+    } else {
+      if (states) work.pose = newerPose(lock);
+      if (is_stopping) return std::nullopt;
+      if (wish != read_wish) continue;
+      if (work.pose && work.pose->target) wantPlanned(*work.pose->target);
+      work.target.swap(wanted_target);
+      if (!work.pose && !work.target) continue;
+    }
+    work.wish = wish;
+    work.states_wish = states_wish;
     return work;
   }
-  work.pose.swap(pose);
-  work.target.swap(wanted_target);
-  return work;
 }
 
 void LiveFieldWorker::Implementation::compute(const Work& work) {
@@ -164,9 +194,8 @@ void LiveFieldWorker::Implementation::compute(const Work& work) {
     return;
   }
   if (!read) return;
-  std::shared_ptr<const PlannedStrength> plan;
   if (work.target) {
-    plan = std::make_shared<const PlannedStrength>(plannedOf(*read, *work.target));
+    const auto plan = std::make_shared<const PlannedStrength>(plannedOf(*read, *work.target));
     const std::lock_guard lock(mutex);
     if (work.wish == wish) planned = plan;
   }
@@ -174,7 +203,7 @@ void LiveFieldWorker::Implementation::compute(const Work& work) {
   const auto made = fieldOf(*read, *work.pose);
   const std::lock_guard lock(mutex);
   ++computed;
-  if (work.wish != wish || work.pose_wish != pose_wish) return;  // of another case, or forgotten meanwhile
+  if (work.wish != wish || work.states_wish != states_wish) return;  // of another case, or no longer wanted
   if (planned && work.pose->target && isSameTarget(planned->target, *work.pose->target))
     made->planned = planned->at_target;
   field = made;
@@ -217,9 +246,9 @@ void LiveFieldWorker::use(std::optional<LiveFieldSubject> subject) {
   auto& i = *implementation_;
   {
     const std::lock_guard lock(i.mutex);
-    i.drop();
     i.subject = std::move(subject);
     ++i.wish;
+    i.field.reset();
     i.planned.reset();
     i.failure.clear();
     i.is_unreadable = false;
@@ -229,28 +258,23 @@ void LiveFieldWorker::use(std::optional<LiveFieldSubject> subject) {
 }
 
 void LiveFieldWorker::plan(const guidance::Target& target) {
-  auto& i = *implementation_;
-  {
-    const std::lock_guard lock(i.mutex);
-    if (i.target && isSameTarget(*i.target, target)) return;
-    i.target = i.wanted_target = target;
-    i.planned.reset();
-  }
-  i.changed.notify_all();
-}
-
-void LiveFieldWorker::ask(const LivePose& pose) {
-  if (pose.target) plan(*pose.target);
   {
     const std::lock_guard lock(implementation_->mutex);
-    implementation_->pose = pose;
+    implementation_->wantPlanned(target);
   }
   implementation_->changed.notify_all();
 }
 
-void LiveFieldWorker::forget() {
-  const std::lock_guard lock(implementation_->mutex);
-  implementation_->drop();
+void LiveFieldWorker::follow(std::shared_ptr<const LatestValue<session::NavigationState>> states) {
+  auto& i = *implementation_;
+  {
+    const std::lock_guard lock(i.mutex);
+    if (i.states == states) return;
+    i.states = std::move(states);
+    ++i.states_wish;
+    i.field.reset();
+  }
+  i.changed.notify_all();
 }
 
 std::shared_ptr<const LiveField> LiveFieldWorker::latest() const {

@@ -4,6 +4,9 @@
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
+#include "facenav/core/log.h"
+#include "facenav/interop/invesalius_space.h"
+#include "facenav/interop/t1.h"
 #include "facenav/links/igtl_content.h"
 #include "facenav/session/live_frame.h"
 
@@ -48,6 +51,19 @@ std::optional<links::IgtlSurface> cortexOf(const casefile::CaseStore& store) {
   return std::nullopt;
 }
 
+/// Space of the case's MRI, from its header; null for a case without one. Without it no pose in the MRI goes
+/// to InVesalius's relay.
+std::shared_ptr<const interop::InvesaliusSpace> imageSpace(const std::filesystem::path& folder) {
+  const auto mri = folder / "mri.nii.gz";
+  if (folder.empty() || !std::filesystem::exists(mri)) return nullptr;
+  try {
+    return std::make_shared<interop::InvesaliusSpace>(interop::readT1(mri).grid);
+  } catch (const Error& error) {
+    logWarning(error.what());
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> caseContent(const std::filesystem::path& folder,
@@ -75,12 +91,13 @@ std::optional<std::vector<std::uint8_t>> LiveOutputs::content(const std::string&
   return caseContent(folder, type, name);
 }
 
-void LiveOutputs::open(const std::string& words) {
+void LiveOutputs::open(const std::string& words, const links::LiveIncoming& incoming) {
   const auto open_names = names();
   if (std::find(open_names.begin(), open_names.end(), words) != open_names.end())
     throw Error("is open already", words);
   std::shared_ptr<links::LiveOutput> output = links::openLiveOutput(
-      words, [this](const std::string& type, const std::string& name) { return content(type, name); });
+      words, [this](const std::string& type, const std::string& name) { return content(type, name); },
+      incoming);
   std::lock_guard lock(mutex_);
   outputs_.push_back(std::move(output));
 }
@@ -128,14 +145,17 @@ std::vector<links::LiveReport> LiveOutputs::reports() const {
 }
 
 void LiveOutputs::setCase(const std::filesystem::path& folder) {
+  auto image = imageSpace(folder);
   std::lock_guard lock(mutex_);
   case_folder_ = folder;
+  image_ = std::move(image);
 }
 
 void LiveOutputs::publish(const session::NavigationState& state) {
   std::lock_guard lock(mutex_);  // so that no output ends on the caller's thread
   if (outputs_.empty()) return;
-  const auto frame = std::make_shared<const links::LiveFrame>(session::liveFrameOf(state));
+  const auto frame = std::make_shared<links::LiveFrame>(session::liveFrameOf(state));
+  frame->image = image_;
   for (const auto& each : outputs_) each->publish(frame);
 }
 

@@ -67,6 +67,15 @@ void locate(const Eigen::Matrix3Xd& places_mm, MepByField& map) {
   map.region_places = int(different.size());
 }
 
+/// Line and sigmoid at the spot, of the response that the regression chose.
+stimulation::ResponseCurve curveAt(const Eigen::VectorXd& field, const std::vector<double>& mep_uv,
+                                   stimulation::FieldResponse response, double noise_uv) {
+  Eigen::VectorXd responses = Eigen::Map<const Eigen::VectorXd>(mep_uv.data(), Eigen::Index(mep_uv.size()));
+  if (response == stimulation::FieldResponse::log) responses = responses.array().max(noise_uv).log10();
+  if (!(field.maxCoeff() > field.minCoeff())) return {};
+  return stimulation::fitResponse(field, responses);
+}
+
 }  // namespace
 
 MepByField mepByField(const PoseFields& fields, const casefile::SessionPulses& session,
@@ -86,6 +95,8 @@ MepByField mepByField(const PoseFields& fields, const casefile::SessionPulses& s
   for (std::size_t i = 0; i < map.places.size(); ++i) reached.row(Eigen::Index(i)) = all.row(map.places[i]);
   map.regression = stimulation::regressOnField(reached, mep_uv, options);
   locate(fields.places_mm(), map);
+  map.curve = curveAt(reached.row(map.regression.best).transpose().cast<double>(), mep_uv,
+                      map.regression.response, options.noise_uv);
   return map;
 }
 

@@ -40,11 +40,15 @@ std::unique_ptr<session::Navigator> makeNavigator(const Registrations& methods, 
   if (request.case_folder) setup.key_frames = casefile::readKeyFrames(*request.case_folder);
   auto navigator = std::make_unique<session::Navigator>(setup, std::move(head),
                                                         methods.coil_trackers.create(request.coil_tracker));
-  if (!request.target.empty()) {
+  if (request.second_coil_file)
+    navigator->addSecondCoil(coil_tracking::readCoil(*request.second_coil_file),
+                             methods.coil_trackers.create(request.coil_tracker));
+  const auto chosen = [&](const std::string& name) {
     const auto store = casefile::CaseStore::open(request.case_folder.value());
-    navigator->setTarget(session::ChosenTarget{store.targets().find(request.target),
-                                               predictedError_mm(store, request.target).value_or(0.0)});
-  }
+    return session::ChosenTarget{store.targets().find(name), predictedError_mm(store, name).value_or(0.0)};
+  };
+  if (!request.target.empty()) navigator->setTarget(chosen(request.target));
+  if (!request.second_target.empty()) navigator->setSecondTarget(chosen(request.second_target));
   return navigator;
 }
 

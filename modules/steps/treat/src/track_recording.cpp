@@ -35,6 +35,16 @@ void addRows(const session::NavigationState& state, bool is_aligned, bool has_co
   }
 }
 
+/// Adds the second coil's rows: the head's row of this frame again, and its own.
+void addSecondRows(const session::NavigationState& state, TrackOutcome& outcome) {
+  if (!state.second) return;
+  outcome.second_coil = state.second->name;
+  outcome.second_tracked += state.second->coil.isTracked();
+  outcome.second_poses.push_back(outcome.poses[outcome.poses.size() - 2]);
+  outcome.second_poses.push_back(casefile::poseRow(state.frame, state.captured.s, casefile::PoseObject::coil,
+                                                   state.second->camera_T_coil));
+}
+
 Error nothingFound(const StartedTracking& started, std::int64_t frames, const fs::path& recording) {
   return Error("neither the face nor a marker was found in any of " + std::to_string(frames) +
                    " frames: " + started.why_no_head,
@@ -79,6 +89,7 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
     monitor.report("tracking", double(outcome.frames) / double(recording.frame_count));
     const auto state = navigator.process(frame);
     addRows(state, is_aligned, request.coil_file.has_value(), outcome.poses);
+    addSecondRows(state, outcome);
     ++outcome.frames;
     outcome.head_tracked += state.head.isTracked();
     outcome.coil_tracked += state.coil.isTracked();
@@ -93,7 +104,7 @@ TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& re
   if (request.case_folder && request.keeps_key_frames)
     casefile::addKeyFrames(*request.case_folder, navigator.learntKeyFrames());
   const bool has_face = started.why_no_head.empty();
-  if (!has_face && outcome.coil_tracked == 0 && outcome.rig_fault_frames == 0)
+  if (!has_face && outcome.coil_tracked + outcome.second_tracked == 0 && outcome.rig_fault_frames == 0)
     throw nothingFound(started, outcome.frames, request.recording);
   if (has_face && outcome.head_tracked == 0 && outcome.rig_fault_frames == 0)
     started.why_no_head = refusedThroughout(outcome.poses);

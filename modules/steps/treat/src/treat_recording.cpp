@@ -16,18 +16,20 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/plan/expert_pose.h"
 #include "facenav/prepare/sign_off_gate.h"
+#include "facenav/treat/served_tracker.h"
 #include "facenav/treat/session_return.h"
+#include "facenav/treat/tracker_alignment.h"
 
 namespace facenav::steps {
 namespace {
 
 constexpr std::chrono::milliseconds kLook(5);  // between looks; frames come 16 ms apart or more
 
-/// Opens the recording; with live cameras, only their rig.
+/// Opens the recording; with live cameras, only their rig. Without cameras there is none of either.
 TreatmentFilm filmOf(const TreatRecordingRequest& request) {
-  if (!request.live) return openTreatmentFilm(request.recording);
+  if (!request.isLive()) return openTreatmentFilm(request.recording);
   TreatmentFilm film{{}, coil_tracking::defaultCoil(), {}};
-  film.recording.rig = request.live->rig;
+  film.recording.rig = request.live ? request.live->rig : makeFramesWithoutPictures()->rig();
   film.card.name = film.coil.name;
   return film;
 }
@@ -47,6 +49,31 @@ AlignOrder orderOf(const casefile::CaseStore& store, const TreatRecordingRequest
     throw Error("the case was aligned from a film, which live cameras do not go on from",
                 store.folder().string(), "align it with a pair: facenav align CASE --live RIG");
   return order;
+}
+
+/// Aligns from the pictures; without cameras, from the file.
+std::shared_ptr<const AlignmentOutcome> alignmentOf(const Registrations& methods,
+                                                    const casefile::CaseStore& store,
+                                                    const capture::Recording& recording,
+                                                    const TreatRecordingRequest& request,
+                                                    TaskMonitor& monitor) {
+  if (!request.other_tracker)
+    return std::make_shared<AlignmentOutcome>(
+        alignRecording(methods, store, recording, orderOf(store, request), monitor).outcome);
+  auto alignment = std::make_shared<AlignmentOutcome>(
+      outcomeOf(readTrackerAlignment(request.other_tracker->alignment), store));
+  for (const auto& caution : alignment->result.cautions) logWarning(caution);
+  return alignment;
+}
+
+std::optional<SecondCoilChoice> secondOf(const TreatRecordingRequest& request,
+                                         const casefile::CaseStore& store,
+                                         const AlignmentOutcome* alignment) {
+  if (!request.second_coil_file) return std::nullopt;
+  SecondCoilChoice second{coil_tracking::readCoil(*request.second_coil_file), {}};
+  if (!request.second_target.empty())
+    second.target = chosenTarget(store.targets().find(request.second_target), alignment);
+  return second;
 }
 
 TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingRequest& request,
@@ -70,32 +97,47 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
   if (reminder) logWarning(*reminder);
   const auto focus = coil_library::focusCaution(film.card);
   if (focus) logWarning(*focus);
-  const auto alignment = std::make_shared<AlignmentOutcome>(
-      alignRecording(methods, store, film.recording, orderOf(store, request), monitor).outcome);
+  const auto alignment = alignmentOf(methods, store, film.recording, request, monitor);
   TreatmentRequest treatment{store, film.recording, request.live.has_value(), film.coil, alignment, reminder};
+  treatment.has_cameras = !request.other_tracker;
+  treatment.is_coil_served = request.other_tracker || request.makeCoilTracker;
+  treatment.second = secondOf(request, store, alignment.get());
+  treatment.coil_of_source = request.coil_of_source;
   treatment.is_checked_first = request.live.has_value();
   if (request.live) treatment.keepLearnt = request.live->keepLearnt;
   treatment.override = request.override;
   treatment.focus_caution = focus;
   treatment.goes_on = goes_on;
   treatment.field_coil = request.field_coil;
-  treatment.speed = request.speed;
+  treatment.speed = request.isLive() ? 1.0 : request.speed;
   return treatment;
 }
 
 TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
                            const capture::Recording& recording) {
-  return {[&methods, request](const session::NavigatorSetup& setup) {
-            auto coil = request.makeCoilTracker ? request.makeCoilTracker()
-                                                : methods.coil_trackers.create(request.coil_tracker);
-            return std::make_unique<session::Navigator>(
-                setup, methods.head_trackers.create(request.head_tracker), std::move(coil));
-          },
-          [recording, passes = request.passes, live = request.live] {
-            if (live) return live->open();
-            return passes == 1 ? capture::makeSource(recording)
-                               : capture::makeSwingingSource(recording, passes);
-          }};
+  return {
+      [&methods, request](const session::NavigatorSetup& setup) {
+        if (const auto& other = request.other_tracker) {
+          auto served = makeServedTrackers(other->words, other->head, other->second_coil);
+          auto navigator =
+              std::make_unique<session::Navigator>(setup, std::move(served.head), std::move(served.coil));
+          if (setup.second_coil) navigator->addSecondCoil(*setup.second_coil, std::move(served.second_coil));
+          return navigator;
+        }
+        auto coil = request.makeCoilTracker ? request.makeCoilTracker()
+                                            : methods.coil_trackers.create(request.coil_tracker);
+        auto navigator = std::make_unique<session::Navigator>(
+            setup, methods.head_trackers.create(request.head_tracker), std::move(coil));
+        if (setup.second_coil)
+          navigator->addSecondCoil(*setup.second_coil, methods.coil_trackers.create(request.coil_tracker));
+        return navigator;
+      },
+      [recording, passes = request.passes, live = request.live,
+       is_without = request.other_tracker.has_value()] {
+        if (is_without) return makeFramesWithoutPictures();
+        if (live) return live->open();
+        return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
+      }};
 }
 
 /// Returns the target; a continued session keeps its own.
@@ -111,8 +153,8 @@ std::optional<session::ChosenTarget> targetOf(const TreatmentRequest& treatment,
 /// Share of the whole session that is done; less than 0: it has no end.
 double doneOf(const Treatment& treatment, const TreatRecordingRequest& request, std::int64_t frames,
               std::int64_t last) {
-  if (request.live && request.live->seconds <= 0) return -1;
-  if (request.live) return treatment.session().elapsed_s() / request.live->seconds;
+  if (request.isLive() && request.seconds() <= 0) return -1;
+  if (request.isLive()) return treatment.session().elapsed_s() / request.seconds();
   return double(last + 1) / (double(std::max<std::int64_t>(1, frames)) * std::max(1, request.passes));
 }
 
@@ -129,7 +171,7 @@ std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& re
     }
     if (request.look && !request.look(treatment)) break;
     const double done = doneOf(treatment, request, frames, last);
-    if (request.live && done >= 1) break;
+    if (request.isLive() && done >= 1) break;
     try {
       monitor.report(inWords(treatment, *state), std::min(1.0, done));
     } catch (const Cancelled&) {  // the session ends normally, with its whole log
@@ -138,6 +180,16 @@ std::vector<double> follow(Treatment& treatment, const TreatRecordingRequest& re
     std::this_thread::sleep_for(kLook);
   }
   return processing_ms;
+}
+
+/// "B: on target, 1.2 mm, 3 deg off", "B: lost".
+std::string secondInWords(const session::SecondCoil& second) {
+  const auto& guided = second.guidance;
+  if (!second.camera_T_coil) return second.name + ": lost";
+  if (!guided.values) return second.name + ": tracked";
+  return second.name + formatted(": %s, %.1f mm, %.0f deg off",
+                                 guided.state == guidance::State::on_target ? "on target" : "adjust",
+                                 guided.values->distance_mm, guided.values->tilt_rad * kDegPerRad);
 }
 
 }  // namespace
@@ -150,6 +202,7 @@ std::string inWords(const Treatment& treatment, const session::NavigationState& 
                       guided.state == guidance::State::on_target ? "on target" : "adjust",
                       guided.values->distance_mm, guided.values->tilt_rad * kDegPerRad);
   if (words.empty()) words = "head and coil tracked";
+  if (state.second) words += "; " + secondInWords(*state.second);
   const auto counts = treatment.log().counts();
   return words + formatted("; %d pulses", counts.on_target + counts.outside + counts.lost);
 }

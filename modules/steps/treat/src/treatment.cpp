@@ -3,6 +3,7 @@
 #include "facenav/capture/returning_cameras.h"
 #include "facenav/casefile/case_coil.h"
 #include "facenav/casefile/face_looks.h"
+#include "facenav/coil_tracking/coil_card.h"
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
@@ -56,6 +57,10 @@ void logStart(session::TreatmentLog& log, const TreatmentRequest& request, const
   log.addEvent("coil", request.coil.name);
   if (request.coil_reminder) log.addEvent("coil calibration", *request.coil_reminder);
   if (request.focus_caution) log.addEvent("coil focus", *request.focus_caution);
+  if (!request.has_cameras)
+    log.addEvent("tracker", "head and coil come from another tracker; its frame stands for the cameras'");
+  else if (request.is_coil_served)
+    log.addEvent("tracker", "the coil comes from another tracker");
   log.addEvent("alignment", alignmentWords(*request.alignment, target));
   for (const auto& caution : request.alignment->result.cautions)
     log.addEvent(report::session_events::kAlignmentCaution, caution);
@@ -90,7 +95,12 @@ PreparedTreatment prepareTreatment(const TreatmentRequest& request, const Treatm
   setup.pace = head_tracking::Pace::live;
   setup.key_frames = storedKeyFrames(request.store.folder());
   setup.plate = casefile::coilOf(request.store.folder()).plate;
+  setup.is_head_served = !request.has_cameras;
+  setup.is_coil_served = request.is_coil_served;
+  if (request.second) setup.second_coil = request.second->coil;
   PreparedTreatment prepared{request, devices.makeNavigator(setup), nullptr};
+  FACENAV_EXPECT(prepared.navigator->hasSecondCoil() == request.second.has_value(),
+                 "the navigator tracks the coils that were asked for");
   prepared.source =
       request.is_live ? capture::makeReturningCameras(devices.openSource) : devices.openSource();
   return prepared;
@@ -111,8 +121,10 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
 }
 
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
-  const std::string fit =
-      formatted("%.2f mm rms over %d points", alignment.result.rms_mm, int(alignment.result.points));
+  const bool is_stated = alignment.result.points == 0 && alignment.result.inlier_fraction > 0;
+  const std::string fit = is_stated ? std::string("by a file that states its error")
+                                    : formatted("%.2f mm rms over %d points", alignment.result.rms_mm,
+                                                int(alignment.result.points));
   const double bound_mm = target ? alignment.errorBound_mm(*target) : 0.0;
   if (!(bound_mm > 0)) return "aligned: " + fit;
   return formatted("aligned: 95 %% within %.1f mm at ", bound_mm) + target->name + " (" + fit + ")";
@@ -127,9 +139,13 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
     : case_folder_(prepared.request.store.folder()),
       rig_(prepared.request.recording.rig),
       coil_(prepared.request.coil),
+      second_(prepared.request.second),
+      coil_of_source_(prepared.request.coil_of_source),
+      has_cameras_(prepared.request.has_cameras),
       keepLearnt_(prepared.request.keepLearnt),
       alignment_(prepared.request.alignment) {
   prepared.navigator->setTarget(target);
+  if (second_) prepared.navigator->setSecondTarget(second_->target);
   session::SessionOptions options;
   options.is_paced = !prepared.request.is_live;
   options.speed = prepared.request.speed;
@@ -148,12 +164,13 @@ Treatment::Treatment(PreparedTreatment prepared, const std::optional<session::Ch
   plan(target ? &target->target : nullptr);
   if (target) target_ = target->target;
   noteOtherCoil();
+  noteSecond();
   keyboard_.start(listenerFor(keyboard_.name()));
   session_->start();
 }
 
 session::TreatmentLogOptions Treatment::logOptions(const std::filesystem::path& goes_on) {
-  session::TreatmentLogOptions options{rig_, goes_on};
+  session::TreatmentLogOptions options{has_cameras_ ? std::optional(rig_) : std::nullopt, goes_on};
   options.placed = [this](const casefile::Pulse& pulse) {  // only once fields_ is there, if it ever is
     if (fields_) fields_->add(pulse);
   };
@@ -165,6 +182,7 @@ links::PulseListener Treatment::listenerFor(const std::string& source) {
   return {[this, log](links::PulseTrigger trigger) {
             const double set_pct = intensity_pct_;
             if (!trigger.intensity_pct && set_pct >= 0) trigger.intensity_pct = set_pct;
+            if (second_ && trigger.coil.empty()) trigger.coil = coilOf(trigger.source);
             log->addPulse(trigger);
             if (const auto outputs = std::atomic_load(&outputs_)) outputs->publish(trigger);
           },
@@ -237,10 +255,8 @@ void Treatment::chooseTargetNamed(const std::string& name) {
 
 void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
   if (coil.name == coil_.name) return;
-  if (coil_tracking::shareMarker(coil, coil_))
-    throw Error("the coil '" + coil.name + "' carries the same marker as '" + coil_.name + "' (" +
-                    coil_tracking::markerWords(coil.markers.front()) + "): a picture cannot tell them apart",
-                {}, "print another marker for one of them");
+  coil_tracking::requireOwnMarker(coil, coil_);
+  if (second_) coil_tracking::requireTellable(coil, second_->coil);
   coil_ = coil;
   session_->setCoil(coil);
   log_->addEvent("coil", coil.name);
@@ -251,6 +267,35 @@ void Treatment::chooseCoil(const coil_tracking::CoilModel& coil) {
 void Treatment::noteOtherCoil() {
   if (!target_) return;
   if (const auto caution = otherCoilCaution(*target_, coil_.name)) log_->addEvent("other coil", *caution);
+}
+
+/// Logs the second coil, its target and which source belongs to which coil.
+void Treatment::noteSecond() {
+  if (!second_) return;
+  log_->addEvent("second coil", second_->coil.name);
+  log_->addEvent("second target", second_->target ? second_->target->target.name : "");
+  for (const auto& [source, coil] : coil_of_source_)
+    log_->addEvent("coil of the pulses", (source.empty() ? "every other source" : source) + ": " + coil);
+}
+
+/// Name of the coil that a source's pulses are given with; empty: it is not known.
+std::string Treatment::coilOf(const std::string& source) const {
+  for (const auto& word : {source, std::string()})
+    if (const auto found = coil_of_source_.find(word); found != coil_of_source_.end()) return found->second;
+  return {};
+}
+
+void Treatment::chooseSecondTarget(const std::optional<session::ChosenTarget>& target,
+                                   const std::string& name) {
+  FACENAV_EXPECT(second_.has_value(), "there is a second coil");
+  second_->target = target;
+  session_->setSecondTarget(target);
+  log_->addEvent("second target", name);
+}
+
+void Treatment::chooseSecondTargetNamed(const std::string& name) {
+  const auto target = casefile::CaseStore::open(case_folder_).targets().find(name);
+  chooseSecondTarget(chosenTarget(target, alignment_.get()), name);
 }
 
 void Treatment::checkRegistration() { session_->checkRegistration(); }

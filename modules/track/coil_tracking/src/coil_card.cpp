@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "facenav/core/error.h"
 #include "facenav/core/json_reader.h"
 #include "facenav/core/whole_file.h"
+#include "marker_pattern.h"
 
 namespace facenav::coil_tracking {
 namespace {
@@ -21,10 +23,19 @@ CalibrationRecord readCalibration(const JsonReader& json) {
   return record;
 }
 
+/// Compares what is printed, in any of its four rotations: dictionaries of one size share their first ids.
 bool isSamePrint(const MarkerModel& a, const MarkerModel& b) {
   if (a.pattern.has_value() != b.pattern.has_value()) return false;
-  if (!a.pattern) return a.dictionary == b.dictionary && a.id == b.id;
-  return readWholeFile(*a.pattern) == readWholeFile(*b.pattern);
+  if (!a.pattern && a.dictionary == b.dictionary) return a.id == b.id;
+  if (a.pattern) return readWholeFile(*a.pattern) == readWholeFile(*b.pattern);
+  const cv::Mat cells_a = MarkerPattern::load(a).cells();
+  cv::Mat cells_b = MarkerPattern::load(b).cells();
+  if (cells_a.size() != cells_b.size()) return false;
+  for (int turn = 0; turn < 4; ++turn) {
+    if (cv::norm(cells_a, cells_b, cv::NORM_INF) == 0) return true;
+    cv::rotate(cells_b.clone(), cells_b, cv::ROTATE_90_CLOCKWISE);
+  }
+  return false;
 }
 
 }  // namespace
@@ -57,6 +68,20 @@ bool shareMarker(const CoilModel& a, const CoilModel& b) {
     return std::any_of(b.markers.begin(), b.markers.end(),
                        [&](const MarkerModel& of_b) { return isSamePrint(of_a, of_b); });
   });
+}
+
+void requireOwnMarker(const CoilModel& a, const CoilModel& b) {
+  if (shareMarker(a, b))
+    throw Error("the coil '" + a.name + "' carries the same marker as '" + b.name + "' (" +
+                    markerWords(a.markers.front()) + "): a picture cannot tell them apart",
+                {}, "print another marker for one of them");
+}
+
+void requireTellable(const CoilModel& a, const CoilModel& b) {
+  requireOwnMarker(a, b);
+  if (a.name.empty() || a.name == b.name)
+    throw Error("two coils need two names, not '" + a.name + "' and '" + b.name + "'", {},
+                "give one another name in its coil.json");
 }
 
 }  // namespace facenav::coil_tracking

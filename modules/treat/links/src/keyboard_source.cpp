@@ -6,7 +6,7 @@
 
 namespace facenav::links {
 
-void KeyboardSource::press(Timestamp at) {
+void KeyboardSource::press(Timestamp at, const std::string& coil) {
   if (!listener_.pulse) return;
   PulseTrigger trigger;
   const double age_s = std::max(0.0, trigger.at - at);
@@ -14,6 +14,7 @@ void KeyboardSource::press(Timestamp at) {
   trigger.utc -=
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(age_s));
   trigger.dead_time_s = settingsOf<PulseDeadTimes>().keyboard_dead_s;
+  trigger.coil = coil;
   listener_.pulse(trigger);
 }
 

@@ -88,7 +88,7 @@ void NetworkSource::take(const std::string& text, double age_s) {
   std::string why;
   const auto message = pulseMessageFrom(text, why);
   tellProblem(message ? "" : why);
-  if (message) tellPulse(age_s, message->intensity_pct);
+  if (message) tellPulse(age_s, message->intensity_pct, message->coil);
 }
 
 void NetworkSource::runUdp() {

@@ -26,6 +26,8 @@ std::optional<PulseMessage> pulseMessageFrom(const std::string& text, std::strin
     const double pct = intensity->get<double>();
     if (pct >= 0 && pct <= 100) message.intensity_pct = pct;
   }
+  const auto coil = json.find("coil");
+  if (coil != json.end() && coil->is_string()) message.coil = coil->get<std::string>();
   return message;
 }
 

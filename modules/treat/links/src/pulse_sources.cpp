@@ -69,7 +69,8 @@ SerialPort portFrom(const std::vector<std::string>& parts, const std::string& wo
 }  // namespace
 
 std::string pulseSourceWords() {
-  return "udp:PORT, tcp:PORT, serial:DEVICE[:BAUD], serial:DEVICE:cts (or :dsr), lsl[:STREAM], "
+  return "udp:PORT, tcp:PORT, serial:DEVICE[:BAUD], serial:DEVICE:cts (or :dsr), "
+         "lsl[:STREAM[:MARKER]], "
          "sound[:DEVICE or FILE.wav] (the coil's click); with :dead=SECONDS for another dead time";
 }
 
@@ -86,8 +87,11 @@ std::unique_ptr<PulseSource> openPulseSource(const std::string& words) {
     return makeSerialSource(words, port,
                             given_s.value_or(is_byte ? dead.serial_byte_dead_s : dead.serial_line_dead_s));
   }
-  if (parts[0] == "lsl" && parts.size() <= 2)
-    return makeLslSource(words, parts.size() == 2 ? parts[1] : "", given_s.value_or(dead.lsl_dead_s));
+  if (parts[0] == "lsl" && parts.size() <= 3) {
+    const LslMarkers markers{parts.size() > 1 ? parts[1] : "", parts.size() > 2 ? parts[2] : ""};
+    if (parts.size() > 2 && markers.marker.empty()) refuse(words);
+    return makeLslSource(words, markers, given_s.value_or(dead.lsl_dead_s));
+  }
   if (parts[0] == "sound") {  // ALSA's names contain colons, too
     std::string input;
     for (std::size_t i = 1; i < parts.size(); ++i) input += (i > 1 ? ":" : "") + parts[i];

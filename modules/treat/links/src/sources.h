@@ -26,8 +26,12 @@ struct SerialPort {
 std::unique_ptr<PulseSource> makeSerialSource(const std::string& name, const SerialPort& port,
                                               double dead_time_s);
 
-/// Source for an LSL stream; an empty name: any marker stream. Throws Error if liblsl is not installed.
-std::unique_ptr<PulseSource> makeLslSource(const std::string& name, const std::string& stream,
+struct LslMarkers {
+  std::string stream;  // its name; empty: any stream of markers
+  std::string marker;  // the marker that is a pulse; empty: each one
+};
+/// Source for an LSL stream. Throws Error if liblsl is not installed.
+std::unique_ptr<PulseSource> makeLslSource(const std::string& name, const LslMarkers& markers,
                                            double dead_time_s);
 
 /// Source for a sound; `input`: an ALSA device or a sound file. Throws Error if FaceNav was built without its

@@ -55,7 +55,8 @@ void ThreadedSource::waitFor(int wait_ms) const {
   waitFor(none, wait_ms);
 }
 
-void ThreadedSource::tellPulse(double age_s, std::optional<double> intensity_pct) const {
+void ThreadedSource::tellPulse(double age_s, std::optional<double> intensity_pct,
+                               const std::string& coil) const {
   PulseTrigger trigger;
   trigger.source = name_;
   trigger.at.s -= age_s;
@@ -63,6 +64,7 @@ void ThreadedSource::tellPulse(double age_s, std::optional<double> intensity_pct
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(age_s));
   trigger.dead_time_s = dead_time_s_;
   trigger.intensity_pct = intensity_pct;
+  trigger.coil = coil;
   if (listener_.pulse && !is_stopping_) listener_.pulse(trigger);
 }
 

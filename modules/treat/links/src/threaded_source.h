@@ -35,8 +35,9 @@ class ThreadedSource : public PulseSource {
   /// Waits until one of the descriptors is ready, `wait_ms` have passed (-1: no limit) or stop() was called.
   void waitFor(std::vector<pollfd>& descriptors, int wait_ms) const;
   void waitFor(int wait_ms) const;
-  /// Reports a pulse `age_s` ago.
-  void tellPulse(double age_s = 0, std::optional<double> intensity_pct = {}) const;
+  /// Reports a pulse `age_s` ago; `coil`: as in PulseTrigger.
+  void tellPulse(double age_s = 0, std::optional<double> intensity_pct = {},
+                 const std::string& coil = {}) const;
   /// Reports a problem, only if the words differ from the last ones.
   void tellProblem(const std::string& words);
 

@@ -22,6 +22,19 @@ TEST(LatestValue, KeepsTheNewestAndCountsWhatNobodyTook) {
   EXPECT_EQ(*value.latest(), 2);        // latest() does not take it
 }
 
+TEST(LatestValue, ManyMayWaitForANewerOneAndNobodyTakesIt) {
+  LatestValue<int> value;
+  EXPECT_EQ(value.newerThan(nullptr, 1ms), nullptr);
+  std::thread publisher([&] { value.publish(std::make_shared<int>(7)); });
+  const auto first = value.newerThan(nullptr, 10s);
+  publisher.join();
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(*first, 7);
+  EXPECT_EQ(value.newerThan(nullptr, 0ms), first) << "for another one it is new";
+  EXPECT_EQ(value.newerThan(first, 1ms), nullptr);
+  EXPECT_EQ(value.take(0ms), first);
+}
+
 TEST(LatestValue, CloseWakesTheWaiter) {
   LatestValue<int> value;
   std::thread closer([&] { value.close(); });

@@ -51,6 +51,14 @@ TEST_F(ZipFile, EqualEntriesGiveEqualBytesForTheOwnerOnly) {
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
+TEST_F(ZipFile, OneFileIsReadAloneUpToALimit) {
+  const auto names = zipNames(file_);
+  EXPECT_EQ(names.size(), 3u);
+  EXPECT_EQ(readZipEntry(file_, "meshes/scalp.vtp", noise_.size()), noise_);
+  EXPECT_THROW(readZipEntry(file_, "meshes/scalp.vtp", noise_.size() - 1), Error);
+  EXPECT_THROW(readZipEntry(file_, "meshes", 100), Error);
+}
+
 TEST_F(ZipFile, OtherProgramsOpenIt) {
   const std::string check = "python3 -c \"import zipfile,sys; z=zipfile.ZipFile('" + file_.string() +
                             "'); sys.exit(z.testzip() is not None or len(z.namelist())!=3)\"";

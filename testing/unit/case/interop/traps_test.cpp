@@ -204,7 +204,7 @@ TEST(Formats, KindsThatAreKnownAndNotReadAreNamed) {
   const auto refusal = [](const std::string& content) {
     return refusalOf([&] { readOtherText({content, "file", nullptr}); });
   };
-  EXPECT_THAT(refusal("nibs_position_id\tnibs_element_id\n"), HasSubstr("NIBS-BIDS"));
+  EXPECT_THAT(refusal("onset\tduration\n"), HasSubstr("NIBS-BIDS"));
   EXPECT_THAT(refusal("SQLite format 3"), HasSubstr("Brainsight project"));
   EXPECT_THAT(refusal(std::string("\xFF\xFE#\0", 4)), HasSubstr("UTF-16"));
   EXPECT_THAT(refusal("# Version: 1\n# Something\n"), HasSubstr("stream of poses"));

@@ -114,14 +114,23 @@ TEST(FitChecks, TooFewPointsAreTooLittleOfAFace) {
 
 TEST(FitChecks, AMirroredScanIsNamedOnlyWhereTheMirrorImageFits) {
   FitEvidence evidence = rightHead();
-  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true;
+  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true, evidence.own_log_odds = 0;
   EXPECT_THAT(refusal(evidence), HasSubstr("left and right are swapped"));
   evidence.does_mirror_fit = false;
-  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
+  EXPECT_THAT(refusal(evidence), HasSubstr("does not fit this MRI"));
   evidence.does_mirror_fit = true;
   ChangedSettings<FitLimits> limits;
   limits->mirrored = -10;
-  EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
+  EXPECT_THAT(refusal(evidence), HasSubstr("does not fit this MRI"));
+}
+
+TEST(FitChecks, ASymmetricFaceThatFitsBothWaysIsRefusedWithoutANameForIt) {
+  FitEvidence evidence = rightHead();
+  evidence.mirror_log_odds = -8;
+  for (const bool does_mirror_fit : {true, false}) {
+    evidence.does_mirror_fit = does_mirror_fit;
+    EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
+  }
 }
 
 TEST(FitChecks, AnErrorThatIsNoNumberIsNoSmallOne) {

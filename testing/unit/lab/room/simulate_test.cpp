@@ -138,6 +138,30 @@ TEST(Simulate, WritesARecordingWhoseTruthEndsOnTheTarget) {
   EXPECT_EQ(scenario["frames"].size(), 6u);
 }
 
+TEST(Simulate, ASecondCoilHasItsOwnMarkerFileAndTruth) {
+  const testing::TemporaryFolder folder;
+  auto options = testing::smallScenario("treatment", 3);
+  options.coils = 2;
+  TaskMonitor monitor;
+  simulate(options, testing::eggPatient(), {}, folder.path() / "r", monitor);
+  const auto head = capture::readTruth(folder.path() / "r/truth/head.csv"),
+             coil = capture::readTruth(folder.path() / "r/truth/coil2.csv");
+  ASSERT_EQ(coil.size(), 3u);
+  const auto json = nlohmann::json::parse(readWholeFile(folder.path() / "r/coil2.json"));
+  EXPECT_EQ(json["marker"]["id"], 8);
+  EXPECT_EQ(json["name"], "figure-8 70 mm B");
+  const auto scenario = nlohmann::json::parse(readWholeFile(folder.path() / "r/scenario.json"));
+  Eigen::Matrix4d marker_T_coil, mri_T_target;
+  for (int i = 0; i < 16; ++i) {
+    marker_T_coil(i / 4, i % 4) = json["marker_T_coil"][std::size_t(i)].get<double>();
+    mri_T_target(i / 4, i % 4) = scenario["mri_T_second_target"][std::size_t(i)].get<double>();
+  }
+  const Eigen::Matrix4d mri_T_coil = head.at(2).inverse().matrix() * coil.at(2).matrix() * marker_T_coil;
+  EXPECT_LT((mri_T_coil - mri_T_target).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_GT(mri_T_target(0, 3), 0) << "on the right side; the first one is on the left";
+  EXPECT_NEAR(Eigen::Matrix3d(mri_T_target.block(0, 0, 3, 3)).determinant(), 1, 1e-6);
+}
+
 TEST(Simulate, CancelledLeavesNothingBehind) {
   const testing::TemporaryFolder folder;
   TaskMonitor* handle = nullptr;

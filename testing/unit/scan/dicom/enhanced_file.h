@@ -15,6 +15,7 @@ struct Enhanced {
   int stacks = 0;                  // Stack IDs; 0: none
   bool has_slabs = false;          // each stack is a slab; otherwise neighbours are in different stacks
   double between_stacks_mm = 0;    // gap beside each slab, beyond the spacing
+  std::string patient_id = {};     // omitted if empty
 };
 
 inline std::string enhancedFile(const Enhanced& spec) {
@@ -25,6 +26,7 @@ inline std::string enhancedFile(const Enhanced& spec) {
   d.raw(0x00080008, "CS", "ORIGINAL\\PRIMARY\\VOLUME\\NONE")
       .raw(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.4.1");
   d.raw(0x00080018, "UI", "1.2.3.4.5").raw(0x00080060, "CS", "MR").raw(0x0008103E, "LO", "T1 3D");
+  if (!spec.patient_id.empty()) d.raw(0x00100020, "LO", spec.patient_id);
   d.raw(0x0020000D, "UI", "1.2.3").raw(0x0020000E, "UI", "1.2.3.4");
   d.us(0x00280002, 1)
       .raw(0x00280004, "CS", "MONOCHROME2")

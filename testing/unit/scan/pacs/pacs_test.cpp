@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "../dicom/dicom_bytes.h"
+#include "facenav/dicom/derived_objects.h"
 #include "facenav/dicom/import_volume.h"
 #include "support/orthanc.h"
 
@@ -142,6 +143,29 @@ TEST_F(Pacs, UnknownDestinationOfAMoveIsSaid) {
 TEST_F(Pacs, OnlyDicomIsSent) {
   writeBytes(folder_.path() / "a.txt", "no DICOM");
   EXPECT_THROW(pacs::store(node(), folder_.path(), monitor_), Error);
+}
+
+TEST_F(Pacs, WhatIsMadeFromASeriesIsFiledBesideIt) {
+  Slice first;
+  first.patient_id = "plan";
+  first.study_uid = "1.2.9", first.series_uid = "1.2.9.1";
+  const auto in = folder_.path() / "in", out = folder_.path() / "out";
+  writeSlices(in, makeSlices(10, first));
+  const auto source = dicom::listSeries(in, monitor_).at(0);
+  dicom::writeDerivedSeries(source, dicom::loadSeries(source, monitor_), {"plan", "drawn", 0, 4000}, out,
+                            false, monitor_);
+  dicom::writeEncapsulatedPdf(source, "%PDF-1.4\n", "report", out / "report.dcm");
+  EXPECT_EQ(pacs::store(node(), in, monitor_), 10);
+  EXPECT_EQ(pacs::store(node(), out, monitor_), 11);
+  pacs::PacsQuery query;
+  query.patient_id = "plan";
+  query.modality = "";
+  std::map<std::string, int> images;
+  for (const auto& series : pacs::findSeries(node(), query, monitor_)) {
+    EXPECT_EQ(series.study_uid, "1.2.9");
+    images[series.modality + " " + series.description] = series.images;
+  }
+  EXPECT_EQ(images, (std::map<std::string, int>{{"MR t1_mprage", 10}, {"MR plan", 10}, {"DOC report", 1}}));
 }
 
 TEST(PacsWithoutArchive, NobodyAnswers) {

@@ -50,15 +50,22 @@ class LiveFieldTest : public ::testing::Test {
     return state;
   }
 
+  void publish(const session::NavigationState& state) {
+    states_->publish(std::make_shared<const session::NavigationState>(state));
+  }
+
   testing::TemporaryFolder folder_;
   casefile::CaseStore store_;
   guidance::Target top_;
+  std::shared_ptr<LatestValue<session::NavigationState>> states_ =
+      std::make_shared<LatestValue<session::NavigationState>>();
 };
 
 TEST_F(LiveFieldTest, TheFieldIsThatOfTheHeldCoilWithItsGapAndOfThePlanBeside) {
   LiveFieldWorker worker;
   worker.use(subject());
-  worker.ask(poseAt(7, 5));
+  publish(stateAt(poseAt(7, 5)));
+  worker.follow(states_);
   ASSERT_TRUE(waitUntil([&] { return worker.latest() != nullptr; })) << worker.failure();
   const auto field = worker.latest();
   EXPECT_EQ(field->frame, 7);
@@ -76,24 +83,58 @@ TEST_F(LiveFieldTest, TheFieldIsThatOfTheHeldCoilWithItsGapAndOfThePlanBeside) {
   EXPECT_LE(*std::max_element(field->strength.begin(), field->strength.end()), field->peak * 1.0001);
 }
 
-TEST_F(LiveFieldTest, TheNewestPoseWinsAndAForgottenOneNeverAppears) {
+TEST_F(LiveFieldTest, TheNewestPoseIsComputedWithoutBeingAskedFor) {
   LiveFieldWorker worker;
   worker.use(subject());
-  for (int frame = 1; frame <= 200; ++frame) worker.ask(poseAt(frame, 0.05 * frame));
+  worker.follow(states_);
+  for (int frame = 1; frame <= 200; ++frame) publish(stateAt(poseAt(frame, 0.05 * frame)));
   ASSERT_TRUE(waitUntil([&] { return worker.latest() && worker.latest()->frame == 200; }));
-  EXPECT_LT(worker.computed(), 100) << "poses that waited were overwritten";
-  worker.forget();
-  EXPECT_EQ(worker.latest(), nullptr);
-  for (int i = 0; i < 20; ++i) {
-    worker.ask(poseAt(300 + i, 1));
-    worker.forget();
-    std::this_thread::sleep_for(2ms);
-    EXPECT_EQ(worker.latest(), nullptr) << i;
+  EXPECT_LT(worker.computed(), 100) << "poses that waited were left out";
+  const int computed = worker.computed();
+  std::this_thread::sleep_for(60ms);
+  EXPECT_EQ(worker.computed(), computed) << "a pose is computed once";
+  for (int frame = 201; frame <= 205; ++frame) {
+    publish(stateAt(poseAt(frame, 0)));
+    ASSERT_TRUE(waitUntil([&] { return worker.latest()->frame == frame; }));
   }
-  worker.ask(poseAt(400, 1));
-  EXPECT_TRUE(waitUntil([&] { return worker.latest() && worker.latest()->frame == 400; }));
+  EXPECT_EQ(worker.computed(), computed + 5);
+  worker.use(subject());
+  EXPECT_EQ(worker.latest(), nullptr);
+  EXPECT_TRUE(waitUntil([&] { return worker.latest() != nullptr; })) << "the state that is there counts";
   worker.use(std::nullopt);
   EXPECT_EQ(worker.latest(), nullptr);
+}
+
+TEST_F(LiveFieldTest, NoFieldStaysOfAPoseThatIsLostWithheldOrNoLongerFollowed) {
+  LiveFieldWorker worker;
+  worker.use(subject());
+  worker.follow(states_);
+  const auto has_field = [&] { return worker.latest() != nullptr; };
+  int frame = 0;
+  const auto show = [&] {
+    publish(stateAt(poseAt(++frame, 1)));
+    return waitUntil([&] { return has_field() && worker.latest()->frame == frame; });
+  };
+  auto withheld = stateAt(poseAt(1, 0));
+  withheld.withheld.emplace();
+  for (const auto& without : {session::blanked(withheld, LostReason::no_face), withheld}) {
+    ASSERT_TRUE(show());
+    publish(without);
+    EXPECT_TRUE(waitUntil([&] { return !has_field(); }));
+  }
+  ASSERT_TRUE(show());
+  for (int i = 0; i < 20; ++i) {  // also while one is computed
+    publish(stateAt(poseAt(++frame, 1)));
+    worker.follow(nullptr);
+    std::this_thread::sleep_for(2ms);
+    EXPECT_FALSE(has_field()) << i;
+    worker.follow(states_);
+  }
+  ASSERT_TRUE(show());
+  const auto others = std::make_shared<LatestValue<session::NavigationState>>();
+  worker.follow(others);
+  std::this_thread::sleep_for(30ms);
+  EXPECT_FALSE(has_field()) << "another session has no state yet";
 }
 
 TEST_F(LiveFieldTest, ALostWithheldOldOrOtherTargetsFieldIsNotShown) {
@@ -106,6 +147,9 @@ TEST_F(LiveFieldTest, ALostWithheldOldOrOtherTargetsFieldIsNotShown) {
   auto later = now;
   later.arrived = {10.4};
   EXPECT_FALSE(mayBeShown(field, later)) << "half a second old";
+  field.arrived = {10.1};
+  EXPECT_TRUE(mayBeShown(field, now)) << "newer than the state that the page took";
+  field.arrived = {9.9};
   EXPECT_FALSE(mayBeShown(field, session::blanked(now, LostReason::no_face)));
   auto withheld = now;
   withheld.withheld.emplace();
@@ -136,7 +180,8 @@ TEST_F(LiveFieldTest, TheShareOfTheThresholdNeedsNoRateOfTheCoil) {
   const auto dose = worker.planned()->dose;
   ASSERT_TRUE(dose);
   EXPECT_NEAR(dose->output_pct, 48, 1e-6) << "the target is the hotspot";
-  worker.ask(poseAt(1, 0));
+  publish(stateAt(poseAt(1, 0)));
+  worker.follow(states_);
   ASSERT_TRUE(waitUntil([&] { return worker.latest() != nullptr; }));
   EXPECT_NEAR(ofThreshold_pct(*worker.latest(), 48, *dose), 100, 0.01);
   EXPECT_NEAR(ofThreshold_pct(*worker.latest(), 57.6, *dose), 120, 0.01);
@@ -146,12 +191,12 @@ TEST_F(LiveFieldTest, ACaseWithoutABrainHasAReasonAndNoField) {
   const auto plain = casefile::CaseStore::create(folder_.path() / "plain", testing::ballCase(), {}, false);
   LiveFieldWorker worker;
   worker.use(LiveFieldSubject{plain, "figure8-70"});
-  worker.ask(poseAt(1, 0));
+  publish(stateAt(poseAt(1, 0)));
+  worker.follow(states_);
   ASSERT_TRUE(waitUntil([&] { return !worker.failure().empty(); }));
   EXPECT_THAT(worker.failure(), HasSubstr("no brain model"));
   EXPECT_EQ(worker.latest(), nullptr);
   worker.use(subject());
-  worker.ask(poseAt(2, 0));
   EXPECT_TRUE(waitUntil([&] { return worker.latest() != nullptr; })) << "another case is not affected";
 }
 

@@ -7,11 +7,13 @@
 
 #include "facenav/casefile/case_store.h"
 #include "facenav/core/error.h"
+#include "facenav/interop/invesalius_space.h"
 #include "facenav/links/igtl_content.h"
-#include "facenav/treat/served_coil.h"
+#include "facenav/treat/served_tracker.h"
 #include "support/ball_case.h"
 #include "support/free_port.h"
 #include "support/igtl_client.h"
+#include "support/small_relay.h"
 #include "support/test_data.h"
 
 namespace facenav::steps {
@@ -62,6 +64,30 @@ TEST_F(LiveCase, SurfacesAndTargetsAreSentAndNothingElse) {
   EXPECT_FALSE(caseContent(store_.folder(), "IMAGE", "label"));
 }
 
+TEST_F(LiveCase, TheRelayGetsTheCoilInTheSpaceOfTheCasesMri) {
+  testing::SmallRelay relay;
+  LiveOutputs outputs;
+  outputs.setCase(store_.folder());
+  outputs.open(relay.words());
+  const Eigen::Vector3d place(-10, 20, 60);
+  session::NavigationState state;
+  state.is_aligned = true;
+  state.camera_T_mri = Tracked<RigidTransform<Camera, Mri>>(
+      RigidTransform<Camera, Mri>(Eigen::Quaterniond::Identity(), {0, 0, 0}), 1.0);
+  state.camera_T_coil = Tracked<RigidTransform<Camera, Coil>>(
+      RigidTransform<Camera, Coil>(Eigen::Quaterniond::Identity(), place), 1.0);
+  const std::string topic = "From Neuronavigation: Send coil pose";
+  for (int i = 0; i < 600 && relay.data(topic).empty(); ++i) {
+    outputs.publish(state);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_FALSE(relay.data(topic).empty());
+  const interop::InvesaliusSpace space(store_.mri().grid);
+  const auto truth = space.markerOf(Eigen::Isometry3d(Eigen::Translation3d(place)));
+  const auto found = relay.data(topic)[0]["coord"].get<interop::InvesaliusNumbers>();
+  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(found[i], truth[i], 1e-3) << i;
+}
+
 TEST(LiveOutputs, AreOpenedOnceAndClosedByTheirWords) {
   LiveOutputs outputs;
   const std::string words = "igtl:127.0.0.1:" + std::to_string(testing::freePort());
@@ -103,7 +129,7 @@ TEST(ServedCoil, ThePoseOfAnotherTrackerIsTheCoilsPose) {
   ASSERT_TRUE(pose);
   const auto camera_T_coil = (pose->camera_T_marker * coil.marker_T_coil()).isometry();
   EXPECT_LT((camera_T_coil.matrix() - (camera_T_tracker * tracker_T_coil).matrix()).norm(), 1e-3);
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  std::this_thread::sleep_for(std::chrono::milliseconds(280));
   EXPECT_FALSE(tracker->track(frame).isTracked());  // an old pose is not used
 }
 

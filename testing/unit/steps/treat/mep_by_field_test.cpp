@@ -1,6 +1,6 @@
 #include "facenav/treat/mep_by_field.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
@@ -69,6 +69,13 @@ TEST_F(MepByFieldTest, AKnownSpotIsFoundWithin5MmAndItsRegionHoldsIt) {
   EXPECT_LE((map.spot.mm - spot_mm()).norm(), map.region_mm + 3);
   EXPECT_GT(map.regression.r2, 0.5);
   EXPECT_GT(map.region_places, 0);
+  EXPECT_EQ(map.curve.verdict, stimulation::CurveVerdict::sigmoid) << curveWords(map);
+  EXPECT_THAT(inWords(map, "figure8-70").back(), ::testing::HasSubstr("a sigmoid describes"));
+  const auto r2 = r2On(store_.brain()->mesh, fields_, map);
+  EXPECT_EQ(r2.size(), store_.brain()->mesh.vertices_mm.size());
+  float most = 0;
+  for (const float value : r2) most = std::isnan(value) ? most : std::max(most, value);
+  EXPECT_NEAR(most, map.regression.r2, 0.1);
 }
 
 TEST_F(MepByFieldTest, AStraightLineIsNamedWhereTheMepFollowsIt) {
@@ -77,6 +84,8 @@ TEST_F(MepByFieldTest, AStraightLineIsNamedWhereTheMepFollowsIt) {
   EXPECT_NEAR(map.regression.r2, 1, 1e-3);
   EXPECT_LT((map.spot.mm - spot_mm()).norm(), 2.0);
   EXPECT_NEAR(map.regression.chance, 1.0 / 401, 1e-9) << "no shuffled one reaches it";
+  EXPECT_EQ(map.curve.verdict, stimulation::CurveVerdict::line);
+  EXPECT_THAT(curveWords(map), ::testing::HasSubstr("no sigmoid: a straight line"));
 }
 
 TEST_F(MepByFieldTest, NoiseAloneExplainsNothing) {

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "support/made_field_mesh.h"
 #include "support/refusal.h"
 #include "support/test_data.h"
 
@@ -53,6 +54,46 @@ TEST_F(FieldMshTest, ReadsTextWithDataOnElements) {
   ASSERT_EQ(read.magnitude.size(), 1) << "the grey matter's surface";
   EXPECT_EQ(read.magnitude[0], 7.5);
   EXPECT_NEAR((read.points_mm.col(0) - Eigen::Vector3d(1, 1, 0)).norm(), 0, 1e-12);
+}
+
+TEST_F(FieldMshTest, AHeadGivesBrainGreyMatterAndScalpWhateverTheLayout) {
+  const auto field = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.z(), 1, 2); };
+  facenav::testing::FieldMeshLayout layout;
+  for (const bool is_binary : {true, false})
+    for (const int first_id : {1, 70}) {
+      layout.is_binary = is_binary, layout.first_id = first_id;
+      const auto path = folder_.path() / "head.msh";
+      std::ofstream(path, std::ios::binary) << facenav::testing::madeFieldMesh(layout, field);
+      const auto head = readHeadFieldMsh(path);
+      EXPECT_TRUE(head.fills_brain);
+      EXPECT_EQ(head.scalp_mm.size(), facenav::testing::ballMesh(90).vertices_mm.size());
+      ASSERT_GT(head.brain.points_mm.cols(), head.grey.points_mm.cols()) << "white matter, too";
+      EXPECT_LT((head.brain.field.row(0) - head.brain.points_mm.row(2)).cwiseAbs().maxCoeff(), 1e-9);
+      EXPECT_NEAR(head.brain.weight[0], 8.0 / 3, 1e-9) << "volume of a tetrahedron in a cube of 2 mm";
+    }
+}
+
+TEST_F(FieldMshTest, ByteOrderAndUnknownSectionsAreMinded) {
+  auto content = facenav::testing::madeFieldMesh({}, [](const Eigen::Vector3d& p) { return p; });
+  const auto path = folder_.path() / "p.msh";
+  const std::string names = "$PhysicalNames\n1\n3 2 \"grey\"\n$EndPhysicalNames\n";
+  std::ofstream(path, std::ios::binary) << std::string(content).insert(content.find("$Nodes"), names);
+  EXPECT_GT(readHeadFieldMsh(path).grey.magnitude.size(), 0);
+  const std::size_t at = std::string("$MeshFormat\n2.2 1 8\n").size();
+  std::swap(content[at], content[at + 3]);
+  EXPECT_THAT(refusal(content), HasSubstr("byte order"));
+}
+
+TEST_F(FieldMshTest, PointsComeBackWithoutASurface) {
+  FieldSamples samples;
+  samples.points_mm = Eigen::Matrix3Xd::Random(3, 5);
+  samples.magnitude = Eigen::VectorXd::LinSpaced(5, 1, 2);
+  const auto path = folder_.path() / "points.msh";
+  writeFieldPointsMsh(samples, path);
+  const auto read = readFieldMsh(path);
+  EXPECT_EQ(read.points_mm, samples.points_mm);
+  EXPECT_EQ(read.magnitude, samples.magnitude);
+  EXPECT_EQ(read.field.cols(), 0);
 }
 
 TEST_F(FieldMshTest, ReadsTheFilesMadeForThisProject) {

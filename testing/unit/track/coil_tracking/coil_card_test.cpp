@@ -68,6 +68,21 @@ TEST(CoilCard, TwoCoilsShareAMarkerOnlyWhereThePrintIsTheSame) {
   EXPECT_FALSE(shareMarker(a, b));
   b.markers.push_back(a.markers.front());
   EXPECT_TRUE(shareMarker(a, b));
+  b.markers = {a.markers.front()};
+  b.markers.front().dictionary = "4x4_100";
+  EXPECT_TRUE(shareMarker(a, b)) << "the larger dictionary begins with the same prints";
+  b.markers.front().dictionary = "5x5_50";
+  EXPECT_FALSE(shareMarker(a, b));
+}
+
+TEST(CoilCard, TwoCoilsOfASessionNeedTheirOwnMarkerAndName) {
+  CoilModel a = defaultCoil(), b = defaultCoil();
+  a.name = "A", b.name = "B";
+  EXPECT_THROW(requireTellable(a, b), Error);
+  b.markers.front().id = 8;
+  EXPECT_NO_THROW(requireTellable(a, b));
+  b.name = "A";
+  EXPECT_THROW(requireTellable(a, b), Error);
 }
 
 TEST(VisibleMarkers, NamesThePrintsThatAPictureShows) {

@@ -122,7 +122,7 @@ TEST(StepWatch, OffsetsThatChangeTheirSignAreChance) {
   }
 }
 
-TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereEnoughIsSeen) {
+TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereSkinIsSeen) {
   Identity identity;
   identity.windows = 200;
   const auto at = [&](double log_ratio) {
@@ -139,9 +139,9 @@ TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereEnoughIsSeen) {
     model->identity_sure = 8;
     EXPECT_EQ(at(4.7), Identity::Verdict::undecided);
   }
-  identity.windows = 59;
+  identity.windows = 0;
   EXPECT_FALSE(identity.isAnswered());
-  EXPECT_EQ(at(50), Identity::Verdict::undecided) << "too little in view";
+  EXPECT_EQ(at(50), Identity::Verdict::undecided) << "nothing in view";
 }
 
 }  // namespace

@@ -162,6 +162,8 @@ struct FakeLsl {
     find("fake_lsl_set_clock", setClock);
     find("fake_lsl_reset_clock", resetClock);
     find("fake_lsl_is_followed", isFollowed);
+    find("fake_lsl_send_text", sendText);
+    find("fake_lsl_show_own", showOwn);
   }
   ~FakeLsl() {
     if (resetClock) resetClock();
@@ -179,6 +181,8 @@ struct FakeLsl {
   void (*setClock)(double behind_s, double correction_s, int has_correction) = nullptr;
   void (*resetClock)() = nullptr;
   int (*isFollowed)() = nullptr;
+  void (*sendText)(double age_s, const char* text) = nullptr;
+  void (*showOwn)(int has_own) = nullptr;
 };
 
 template <class Condition>
@@ -281,6 +285,34 @@ TEST(PulseSources, LslKeepsTheContract) {
       kThetaBurst_s);
 }
 
+TEST(PulseSources, AnLslMarkerIsChosenByItsText) {
+  const FakeLsl lsl;
+  ASSERT_TRUE(lsl.isThere());
+  const auto source = openPulseSource("lsl:tms:T");
+  HeardPulses heard;
+  source->start(heard.listener());
+  ASSERT_TRUE(comes([&] { return lsl.isFollowed() != 0; }));
+  for (const char* text : {"S1", "T", "t", "", "TT", "T"}) lsl.sendText(0, text);
+  EXPECT_TRUE(heard.waitFor(2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(heard.triggers().size(), 2u);
+  source->stop();
+}
+
+TEST(PulseSources, FaceNavsOwnLslMarkersAreNoPulses) {
+  const FakeLsl lsl;
+  ASSERT_TRUE(lsl.isThere());
+  lsl.showOwn(1);  // it answers first
+  const auto source = openPulseSource("lsl");
+  HeardPulses heard;
+  source->start(heard.listener());
+  ASSERT_TRUE(comes([&] { return lsl.isFollowed() != 0; })) << "the other stream is found behind it";
+  lsl.send();
+  EXPECT_TRUE(heard.waitFor(1));
+  source->stop();
+  lsl.showOwn(0);
+}
+
 TEST(PulseSources, AnLslStreamThatIsNotThereIsSaid) {
   const auto source = openPulseSource("lsl:other");
   HeardPulses heard;
@@ -324,7 +356,7 @@ TEST(PulseSources, ATakenPortIsRefusedInOneLine) {
 
 TEST(PulseSources, UnknownWordsAreRefused) {
   for (const char* words : {"", "udp", "udp:x", "udp:99999", "tcp:a:b:c", "serial:", "serial:/dev/ttyS0:rts",
-                            "usb:1", "udp:5005:dead=x", "dead=0.1", "lsl:a:b"})
+                            "usb:1", "udp:5005:dead=x", "dead=0.1", "lsl:a:b:c", "lsl:a:"})
     EXPECT_THROW(openPulseSource(words), Error) << words;
   EXPECT_NO_THROW(openPulseSource("serial:/dev/ttyS0:cts:dead=0.15"));
   EXPECT_NO_THROW(openPulseSource("serial:/dev/ttyS0:115200"));

@@ -55,6 +55,8 @@ TEST(LiveFrame, HoldsThePosesInTheirFrames) {
   EXPECT_LT(error(frame, "CoilToTarget",
                   target.mri_T_target.isometry().inverse() * camera_T_mri.inverse() * camera_T_coil),
             1e-9);
+  ASSERT_TRUE(frame.mri_T_target);
+  EXPECT_LT((frame.mri_T_target->matrix() - target.mri_T_target.isometry().matrix()).norm(), 1e-9);
   EXPECT_EQ(frame.target, "spot");
   EXPECT_EQ(frame.state, "adjust");
   ASSERT_TRUE(frame.guidance);

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "appended_file.h"
 #include "csv_line.h"
@@ -61,6 +62,21 @@ struct SessionLog::Implementation {
   fs::path folder;
   AppendedFile events;
   AppendedTable poses, guidance;
+  // Of a second coil; null: it has no line yet.
+  std::unique_ptr<AppendedTable> second_poses, second_guidance;
+
+  AppendedTable& second(std::unique_ptr<AppendedTable>& table, const char* first, const std::string& header) {
+    if (!table)
+      table = std::make_unique<AppendedTable>(secondCoilPath(folder / first), secondCoilHeader(header),
+                                              AppendedFile::Start::old_or_fresh);
+    return *table;
+  }
+  std::vector<AppendedTable*> tables() {
+    std::vector<AppendedTable*> all{&poses, &guidance};
+    for (const auto& table : {second_poses.get(), second_guidance.get()})
+      if (table) all.push_back(table);
+    return all;
+  }
 };
 
 SessionLog::SessionLog(const fs::path& case_folder)
@@ -85,10 +101,23 @@ const fs::path& SessionLog::folder() const { return implementation_->folder; }
 void SessionLog::add(const PoseRow& row) { implementation_->poses.append(toCsvLine(row)); }
 void SessionLog::add(const guidance::GuidanceRow& row) { implementation_->guidance.append(toCsvLine(row)); }
 
+void SessionLog::addSecond(const PoseRow& row, const std::string& coil) {
+  auto& i = *implementation_;
+  i.second(i.second_poses, "poses.csv", posesCsvHeader()).append(ofSecondCoil(toCsvLine(row), coil));
+}
+
+void SessionLog::addSecond(const guidance::GuidanceRow& row, const std::string& coil) {
+  auto& i = *implementation_;
+  i.second(i.second_guidance, "guidance.csv", guidance::guidanceCsvHeader())
+      .append(ofSecondCoil(toCsvLine(row), coil));
+}
+
 bool SessionLog::putBack() {
   auto& i = *implementation_;
   bool was_removed = false;
-  for (AppendedFile* file : {&i.events, &i.poses.file(), &i.guidance.file()}) {
+  std::vector<AppendedFile*> files{&i.events};
+  for (auto* table : i.tables()) files.push_back(&table->file());
+  for (AppendedFile* file : files) {
     was_removed |= file->isRemoved();
     file->putBack();
   }
@@ -102,8 +131,7 @@ void SessionLog::addEvent(const std::string& event, const std::string& detail) {
 }
 
 void SessionLog::sync() {
-  implementation_->poses.sync();
-  implementation_->guidance.sync();
+  for (auto* table : implementation_->tables()) table->sync();
   implementation_->events.sync();
 }
 

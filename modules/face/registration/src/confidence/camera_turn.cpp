@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/cloud_sampling.h"
 #include "facenav/core/error.h"
 #include "fit/robust_fit.h"
+#include "fit/skin_likelihood.h"
+#include "search/start_search.h"
 
 namespace facenav::registration {
 namespace {
@@ -18,6 +21,7 @@ constexpr double kScan_rad = 0.05 * kRadPerDeg;
 // Standard deviation without dense dots (start.right->sigma_rad > 0), where the points' own deviation is
 // added.
 constexpr double kScanBesideDeviation_rad = 0.03 * kRadPerDeg;
+constexpr double kLessLikely = 3.0;  // log odds of 20 to 1: a turn that fits worse by this is none
 constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRadPerDeg;
 
 /// Weighted mean of two measurements. If they contradict each other, one of them is wrong (a print at another
@@ -43,6 +47,13 @@ std::optional<FinalFit> fitTurned(const ScalpField& scalp, const PointCloud<Came
     return std::nullopt;
   }
 }
+
+/// A turn that was tried, and what the fit there says.
+struct TriedTurn {
+  double at_rad = 0.0;
+  CameraTurn left;  // remaining turn at `at_rad`
+  double log_likelihood = 0.0;
+};
 
 Eigen::Vector3d middleOf(const PointCloud<Camera>& face) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -71,30 +82,37 @@ PointCloud<Camera> turnedBack(PointCloud<Camera> face, const TurnableCamera& rig
 std::optional<CameraTurn> settledTurn(const ScalpField& scalp, const PointCloud<Camera>& face,
                                       const AlignmentStart& start, const FinalFit& first, double size) {
   if (!start.right || !first.posterior.turn) return std::nullopt;
-  CameraTurn left = *first.posterior.turn;  // remaining turn at `at_rad`
-  double at_rad = 0.0, slope = kFirstSlope;
   const Eigen::Vector3d middle_mm = middleOf(face);
-  const auto fitAt = [&](double rad) {
-    const PointCloud<Camera> turned = turnedBack(face, *start.right, rad);
-    return fitTurned(scalp, turned, start,
-                     first.mri_T_camera * Eigen::Translation3d(middle_mm - middleOf(turned)));
+  const std::vector<int> skin =
+      thinOut(face, nearHead(scalp, face, finitePoints(face), first.mri_T_camera, 30.0), 5.0, 1500);
+  const auto logLikelihood = [&](const PointCloud<Camera>& cloud, const Eigen::Isometry3d& mri_T_camera) {
+    return SkinLikelihood(scalp, cloud, skin,
+                          start.noise_mm)(FieldFitter(scalp, cloud, skin).match(mri_T_camera));
   };
+  const auto tryTurn = [&](double rad) -> std::optional<TriedTurn> {
+    const PointCloud<Camera> turned = turnedBack(face, *start.right, rad);
+    const auto fit = fitTurned(scalp, turned, start,
+                               first.mri_T_camera * Eigen::Translation3d(middle_mm - middleOf(turned)));
+    if (!fit || !fit->posterior.turn) return std::nullopt;
+    return TriedTurn{rad, *fit->posterior.turn, logLikelihood(turned, fit->mri_T_camera)};
+  };
+  TriedTurn best{0.0, *first.posterior.turn, logLikelihood(face, first.mri_T_camera)};
   if (size != 1.0) {
-    const double rad = turnOf(*start.right, middle_mm, size);
-    const auto fit = fitAt(rad);
-    if (fit && fit->posterior.turn) at_rad = rad, left = *fit->posterior.turn;
+    const auto tried = tryTurn(turnOf(*start.right, middle_mm, size));
+    if (tried && tried->log_likelihood > best.log_likelihood) best = *tried;
   }
-  for (int fits = 1; fits < kMostFits && std::abs(left.rad) > kLeftOver * left.sigma_rad; ++fits) {
-    const double step_rad = std::clamp(left.rad / slope, -kLongestStep_rad, kLongestStep_rad);
-    if (std::abs(at_rad + step_rad) > kMostTurn_rad) break;
-    const auto fit = fitAt(at_rad + step_rad);
-    if (!fit || !fit->posterior.turn) break;
-    at_rad += step_rad;
-    slope = std::clamp((left.rad - fit->posterior.turn->rad) / step_rad, kLeastSlope, 1.0);
-    left = *fit->posterior.turn;
+  double slope = kFirstSlope;
+  for (int fits = 1; fits < kMostFits && std::abs(best.left.rad) > kLeftOver * best.left.sigma_rad; ++fits) {
+    const double step_rad = std::clamp(best.left.rad / slope, -kLongestStep_rad, kLongestStep_rad);
+    if (std::abs(best.at_rad + step_rad) > kMostTurn_rad) break;
+    const auto tried = tryTurn(best.at_rad + step_rad);
+    if (!tried || tried->log_likelihood < best.log_likelihood - kLessLikely) break;
+    slope = std::clamp((best.left.rad - tried->left.rad) / step_rad, kLeastSlope, 1.0);
+    best = *tried;
   }
   const double scan_rad = start.right->sigma_rad > 0 ? kScanBesideDeviation_rad : kScan_rad;
-  const CameraTurn by_face{at_rad + left.rad, std::hypot(left.sigma_rad, scan_rad, start.right->sigma_rad)};
+  const CameraTurn by_face{best.at_rad + best.left.rad,
+                           std::hypot(best.left.sigma_rad, scan_rad, start.right->sigma_rad)};
   return start.known_turn ? fused(by_face, *start.known_turn) : by_face;
 }
 

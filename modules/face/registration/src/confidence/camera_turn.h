@@ -1,8 +1,8 @@
 #pragma once
 // Estimates the turn of the right camera about its vertical axis at which the face fits the MRI. One linear
 // estimate shows only a third of a turn of 0.1 deg, since points that the turn moves off the skin are not
-// used as skin. So the cloud is turned back, fitted and estimated again, until no turn remains. The estimate
-// and its error are valid there.
+// used as skin. So the cloud is turned back, fitted and estimated again, until no turn remains or the skin
+// fits less likely. The estimate and its error are valid at the last turn that fits.
 
 #include "fit_report.h"
 

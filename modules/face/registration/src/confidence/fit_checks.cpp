@@ -248,7 +248,8 @@ void requireLikeness(const FitEvidence& evidence) {
                       "show the whole face to both cameras, with the dots on it");
   const bool is_own = evidence.own_log_odds > limits.least_own;
   const bool is_resized = is_own && isRareSize(evidence.fitting_scale, 0.0);
-  if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_resized)
+  // A symmetric face, measured coarsely, may fit both ways. Mirrored is one that does not fit as it is.
+  if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_own)
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
   if (is_resized) refuseSize(evidence.fitting_scale);

@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "facenav/core/data_folder.h"
 #include "facenav/core/error.h"
 #include "landmarks.h"
 #include "thin_plate.h"
@@ -14,15 +15,13 @@ namespace {
 constexpr double kPixel_mm = 0.5, kRadius_mm = 80.0, kUp_mm = 130.0, kDown_mm = 170.0;
 constexpr float kSkinAlbedo = 0.42f;
 
-std::string portraitPath() {
-  const char* folder = std::getenv("FACENAV_DATA");
-  return std::string(folder && *folder ? folder : FACENAV_DATA_DIR) + "/virtual_patient/portrait.png";
-}
+std::string portraitPath() { return (dataFolder() / "virtual_patient" / "portrait.png").string(); }
 
 cv::Mat readPortrait() {
   cv::Mat grey = cv::imread(portraitPath(), cv::IMREAD_GRAYSCALE);
   if (grey.empty())
-    throw Error("portrait cannot be read", portraitPath(), "set FACENAV_DATA to the project's Data folder");
+    throw Error("portrait cannot be read", portraitPath(),
+                "install the package facenav-lab, or set FACENAV_DATA to the project's Data folder");
   return grey;
 }
 

@@ -126,7 +126,8 @@ RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const Virtu
 
 std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
                                    const RigidTransform<Mri, frames::Target>& target,
-                                   const RigidTransform<Marker, Coil>& marker_T_coil) {
+                                   const RigidTransform<Marker, Coil>& marker_T_coil,
+                                   const std::optional<RigidTransform<Mri, frames::Target>>& second_target) {
   const ScenarioKind& kind = kindOf(options.name);
   Setting setting;
   setting.options = resolved(options);
@@ -134,6 +135,7 @@ std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const Virtual
   setting.pivot = patient.head_centre;
   setting.face_middle = patient.face_middle;
   setting.target = target;
+  setting.second_target = second_target;
   setting.marker_T_coil = marker_T_coil;
   setting.frames = options.frames > 0 ? options.frames : kind.frames;
   Cast capture;

@@ -33,10 +33,12 @@ class Script {
 /// Finds the kind with this name. Throws Error for a name that is not in scenarios().
 const ScenarioKind& kindOf(const std::string& name);
 
-/// Makes the script. Throws Error for a name that is not in scenarios().
-std::unique_ptr<Script> makeScript(const ScenarioOptions& options, const VirtualPatient& patient,
-                                   const RigidTransform<Mri, frames::Target>& target,
-                                   const RigidTransform<Marker, Coil>& marker_T_coil);
+/// Makes the script. `second_target`: that of a second coil, if there is one. Throws Error for a name that is
+/// not in scenarios().
+std::unique_ptr<Script> makeScript(
+    const ScenarioOptions& options, const VirtualPatient& patient,
+    const RigidTransform<Mri, frames::Target>& target, const RigidTransform<Marker, Coil>& marker_T_coil,
+    const std::optional<RigidTransform<Mri, frames::Target>>& second_target = {});
 
 /// The initial head pose, facing the point midway between the cameras.
 RigidTransform<Room, Mri> seatedHead(const ScenarioOptions& options, const VirtualPatient& patient);

@@ -138,6 +138,8 @@ MomentOf treatmentScript(Setting setting) {
     moment.cast = setting.headMovedBy(motion.at(setting.time_s(frame)));
     const double progress = setting.part(frame) / (1.0 - hold);
     moment.cast.room_T_coil = moment.cast.room_T_mri * setting.target * onApproach(progress);
+    if (setting.second_target)
+      moment.cast.room_T_second = moment.cast.room_T_mri * *setting.second_target * onApproach(progress);
     moment.label = progress < 1.0 ? "approach" : "on target";
     return moment;
   };

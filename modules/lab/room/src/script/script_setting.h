@@ -16,6 +16,7 @@ struct Setting {
   RigidTransform<Room, Mri> seat;  // head pose before any motion
   Point<Mri> pivot, face_middle;
   RigidTransform<Mri, frames::Target> target;
+  std::optional<RigidTransform<Mri, frames::Target>> second_target;  // of a second coil
   RigidTransform<Marker, Coil> marker_T_coil;
   int frames = 1;
 

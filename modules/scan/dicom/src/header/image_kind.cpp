@@ -138,6 +138,8 @@ const char* inWords(ImageKind kind) {
       return "parameter map";
     case ImageKind::localizer:
       return "localizer";
+    case ImageKind::annotated:
+      return "annotated image (marks are drawn into its voxels)";
   }
   return "";
 }
@@ -148,9 +150,9 @@ std::string withArticle(ImageKind kind) {
 }
 
 const char* idOf(ImageKind kind) {
-  constexpr const char* kIds[] = {"magnitude",   "uniform",           "inversion", "phase",    "real",
-                                  "imaginary",   "signed_or_uniform", "t1_map",    "t2_map",   "rate_map",
-                                  "density_map", "field_map",         "other_map", "localizer"};
+  constexpr const char* kIds[] = {"magnitude",   "uniform",           "inversion", "phase",     "real",
+                                  "imaginary",   "signed_or_uniform", "t1_map",    "t2_map",    "rate_map",
+                                  "density_map", "field_map",         "other_map", "localizer", "annotated"};
   return kIds[std::size_t(kind)];
 }
 

@@ -86,6 +86,7 @@ void readDescription(const gdcm::DataSet& data, SliceHeader& header) {
     if (header.date.empty()) header.date = isoDate(text(data, tag));
   header.image_type = text(data, {0x0008, 0x0008});
   header.is_mosaic = header.image_type.find("MOSAIC") != std::string::npos;
+  header.is_annotated = header.image_type.rfind("DERIVED", 0) == 0 && text(data, {0x0028, 0x0301}) == "YES";
   header.manufacturer = text(data, {0x0008, 0x0070});
   header.sequence = text(data, {0x0018, 0x0024}) + " " + text(data, {0x0018, 0x0020});
   header.acquisition_kind = text(data, {0x0018, 0x0023});

@@ -58,6 +58,7 @@ struct SliceHeader {
   std::optional<int> patient_number;    // among the files scanned together; see patient_identity.h
   bool has_scattered_identity = false;  // each image of the series names another patient
   bool is_mosaic = false;
+  bool is_annotated = false;  // derived, with Burned In Annotation
 };
 
 /// Reads the elements before the pixel data, of any DICOM file. Throws Error when it is damaged.

@@ -48,6 +48,13 @@ void requireSkin(const SeriesInfo& info, const fs::path& input) {
               "choose the magnitude images of a T1 ('facenav series' lists them)");
 }
 
+/// Throws Error for an image with marks in its voxels, which would count as tissue.
+void requireNoMarks(const SeriesInfo& info, const fs::path& input) {
+  if (info.kind == ImageKind::annotated)
+    throw Error("series '" + info.description + "' is " + withArticle(info.kind), input.string(),
+                "use the series that it was made from, or name it with --series");
+}
+
 /// Names what the series are: " (2 phase image, T1 map)"; empty if all are plain images.
 std::string kindsOf(const std::vector<SeriesInfo>& series) {
   std::map<ImageKind, int> counts;
@@ -110,6 +117,7 @@ const SeriesInfo& choose(const std::vector<SeriesInfo>& series, const fs::path& 
       *std::find_if(series.begin(), series.end(), [](const SeriesInfo& s) { return s.is_loadable; });
   if (!largest->is_loadable && largest->slices > only.slices) refuse(*largest, input);
   requireSkin(only, input);
+  requireNoMarks(only, input);
   return only;
 }
 

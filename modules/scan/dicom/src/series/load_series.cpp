@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
-#include <numeric>
 
 #include "bright_and_dark.h"
 #include "bytes/for_files.h"
@@ -10,49 +9,10 @@
 #include "facenav/volume/voxel_storage.h"
 #include "pixels/isolated_codec.h"
 #include "pixels/pixel_decoder.h"
-#include "series_scan.h"
-#include "single_slices.h"
-#include "slice_stack.h"
+#include "series_stack.h"
 
 namespace facenav::dicom {
 namespace {
-
-[[noreturn]] void raise(const StackFault& fault) {
-  throw Error(fault.what, fault.file.string(), fault.remedy);
-}
-
-std::vector<SliceHeader> readHeaders(const SeriesInfo& series, TaskMonitor& monitor) {
-  std::vector<SliceHeader> headers(series.files.size());
-  forFiles(series.files.size(), monitor, "reading DICOM headers", [&](std::size_t f, std::size_t) {
-    auto header = readHeaderOf(series.files[f]);
-    if (!header) throw Error("is not DICOM", series.files[f].string(), "list the series again");
-    const std::string problem = voxelProblem(*header);
-    if (!problem.empty()) throw Error(problem, series.files[f].string(), "choose another series");
-    if (!series.joined && header->series_uid != series.series_uid)
-      throw Error("belongs to another series", series.files[f].string(), "list the series again");
-    headers[f] = std::move(*header);
-  });
-  if (series.joined)
-    for (const SliceHeader& header : headers)
-      if (!isOfOneScan(headers[0], header))
-        throw Error("belongs to another series", header.file.string(), "list the series again");
-  return headers;
-}
-
-std::vector<ImageRef> imagesOf(const SeriesInfo& series, const std::vector<SliceHeader>& headers) {
-  std::vector<ImageRef> images;
-  for (std::size_t h = 0; h < headers.size(); ++h) {
-    std::vector<int> frames(headers[h].images.size());
-    std::iota(frames.begin(), frames.end(), 0);
-    if (h < series.frames.size()) frames = series.frames[h];
-    for (const int frame : frames) {
-      if (frame < 0 || std::size_t(frame) >= headers[h].images.size())
-        throw Error("does not hold the frame asked for", headers[h].file.string(), "list the series again");
-      images.push_back({int(h), frame});
-    }
-  }
-  return images;
-}
 
 /// Decodes each file's images once, in any order of the stack.
 class Loader {
@@ -203,11 +163,7 @@ class Loader {
 
 volume::Volume loadSeries(const SeriesInfo& series, TaskMonitor& monitor) {
   constexpr std::size_t kMostVoxels = 1'000'000'000;
-  if (series.files.empty())
-    throw Error("the series holds no files", series.description, "choose another series");
-  std::vector<SliceHeader> headers = readHeaders(series, monitor);
-  const SliceStack stack = stackSlices(headers, imagesOf(series, headers));
-  if (stack.fault) raise(*stack.fault);
+  auto [headers, stack] = readStack(series, monitor);
   if (stack.grid.count() > kMostVoxels)
     throw Error("the series is too large to read", series.files[0].string(), "choose another series");
   volume::Volume volume = Loader(headers, stack, monitor).load();

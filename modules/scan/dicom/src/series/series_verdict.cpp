@@ -151,6 +151,7 @@ void settleCoincident(SeriesInfo& info, const std::vector<SliceHeader>& headers,
 
 /// The part of Image Type for the group's first image; frames of enhanced files may state none.
 ImageKind kindOfImage(const SliceHeader& header, const ImagePlace& place) {
+  if (header.is_annotated) return ImageKind::annotated;
   return kindOf(place.kind.empty() ? header.image_type : place.kind, header.description);
 }
 
@@ -162,7 +163,7 @@ void judgeFitness(SeriesInfo& info) {
     against.push_back(withArticle(info.kind) + ", not a T1-weighted image");
   else if (isWithoutSkin(info.kind))
     against.push_back(withArticle(info.kind) + ", not a magnitude");
-  else if (info.kind == ImageKind::localizer)
+  else if (info.kind == ImageKind::localizer || info.kind == ImageKind::annotated)
     against.push_back(withArticle(info.kind));
   else if (info.kind == ImageKind::signed_or_uniform)
     against.push_back(
@@ -330,7 +331,9 @@ SeriesInfo describeGroup(const std::vector<SliceHeader>& headers, const SeriesGr
 
 double navigationScore(const SeriesInfo& info) {
   if (!info.is_loadable || info.modality != "MR") return 0;
-  if (isMap(info.kind) || isWithoutSkin(info.kind) || info.kind == ImageKind::localizer) return 0;
+  if (isMap(info.kind) || isWithoutSkin(info.kind) || info.kind == ImageKind::localizer ||
+      info.kind == ImageKind::annotated)
+    return 0;
   if (!info.contrast.empty() && info.contrast != "T1") return 0;
   const double coarsest_mm = info.spacing_mm.maxCoeff();
   if (volume::voxelSizeOf(coarsest_mm) == volume::VoxelSize::too_coarse || info.extent_mm.minCoeff() < 100)

@@ -1,7 +1,3 @@
-#include <gdcmDataSet.h>
-#include <gdcmFile.h>
-#include <gdcmWriter.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,12 +7,12 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/whole_folder.h"
 #include "facenav/dicom/series.h"
+#include "header/put_values.h"
 
 namespace facenav::dicom {
 namespace fs = std::filesystem;
 namespace {
 
-using gdcm::Tag;
 using gdcm::VR;
 
 constexpr const char* kMrImageStorage = "1.2.840.10008.5.1.4.1.1.4";
@@ -38,32 +34,6 @@ class Hash {
  private:
   std::uint64_t state_ = 14695981039346656037ull;
 };
-
-/// Decimal string of at most 16 characters (PS3.5 6.2), with the highest possible precision.
-std::string decimal(double value) {
-  if (std::abs(value) < 1e-12) value = 0;
-  std::string text;
-  for (int digits = 15; digits > 0; --digits)
-    if (text = formatted("%.*g", digits, value); text.size() <= 16) break;
-  return text;
-}
-
-std::string decimals(std::initializer_list<double> values) {
-  std::string text;
-  for (const double value : values) text += (text.empty() ? "" : "\\") + decimal(value);
-  return text;
-}
-
-void put(gdcm::DataSet& data, Tag tag, VR::VRType vr, std::string value) {
-  if (value.size() % 2) value += vr == VR::UI ? '\0' : ' ';
-  gdcm::DataElement element(tag, 0, vr);
-  element.SetByteValue(value.data(), std::uint32_t(value.size()));
-  data.Replace(element);
-}
-
-void put(gdcm::DataSet& data, Tag tag, std::uint16_t value) {
-  put(data, tag, VR::US, std::string(reinterpret_cast<const char*>(&value), 2));
-}
 
 struct SeriesUids {
   std::string study, series, frame_of_reference;
@@ -101,15 +71,11 @@ class SliceWriter {
   }
 
   void write(int slice, const fs::path& path) const {
-    gdcm::Writer writer;
-    gdcm::DataSet& data = writer.GetFile().GetDataSet();
+    gdcm::DataSet data;
     describe(data, slice);
     place(data, slice);
     putPixels(data, slice);
-    writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
-    writer.SetFileName(path.c_str());
-    if (!writer.Write())
-      throw Error("cannot be written", path.string(), "check free disk space and permissions");
+    writeDataSet(data, path.string());
   }
 
  private:

@@ -19,8 +19,8 @@ struct BrainPrior {
 /// an infant's.
 std::optional<BrainPrior> findBrainPrior(const PriorNetwork& network, const volume::Volume& working);
 
-/// Data/brain_prior/weights.fnbp, read once in a process; null if the file is missing or damaged.
-/// FACENAV_DATA names another Data folder.
+/// brain_prior/weights.fnbp of core's dataFolder(), read once in a process; null if the file is missing or
+/// damaged.
 struct InstalledPrior {
   std::optional<PriorNetwork> network;
   std::string fault;  // reason why there is no prior

@@ -1,19 +1,13 @@
-#include <cstdlib>
-
+#include "facenav/core/data_folder.h"
 #include "facenav/core/error.h"
 #include "prior/brain_prior.h"
 
 namespace facenav::segmentation {
 namespace {
 
-std::filesystem::path weightsPath() {
-  const char* folder = std::getenv("FACENAV_DATA");
-  return std::filesystem::path(folder && *folder ? folder : FACENAV_DATA_DIR) / "brain_prior/weights.fnbp";
-}
-
 InstalledPrior readInstalled() {
   try {
-    return {PriorNetwork(weightsPath()), {}};
+    return {PriorNetwork(dataFolder() / "brain_prior/weights.fnbp"), {}};
   } catch (const Error& error) {
     return {std::nullopt, error.what()};
   }

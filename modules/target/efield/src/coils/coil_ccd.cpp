@@ -27,6 +27,17 @@ std::vector<double> rowOf(const std::string& line, const std::filesystem::path& 
   return row;
 }
 
+/// Text with '\n' after each line, whatever system wrote it, and without a byte order mark.
+std::string plainLines(std::string text) {
+  if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
+  std::string lines;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if (!is_pair) lines += text[i] == '\r' ? '\n' : text[i];
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string pairValue(const std::string& pairs, const std::string& key) {
@@ -45,7 +56,7 @@ std::string pairValue(const std::string& pairs, const std::string& key) {
 }
 
 CoilSource readCcd(const std::filesystem::path& path) {
-  std::istringstream stream(readWholeFile(path));
+  std::istringstream stream(plainLines(readWholeFile(path)));
   CoilSource source;
   std::vector<double> values;
   double announced = -1;
@@ -56,9 +67,8 @@ CoilSource readCcd(const std::filesystem::path& path) {
       source.dipoles.name = pairValue(line, "coilname");
       source.dipoles.largest_didt_A_per_us = numberIn(pairValue(line, "dIdtmax")).value_or(0);
     }
-    const auto first = line.find_first_not_of(" \t\r");
+    const auto first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] == '#') continue;
-    if (line.back() == '\r') line.pop_back();
     const auto row = rowOf(line, path, number);
     if (row.size() == 1 && announced < 0 && values.empty()) {
       announced = row[0];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "coil_readers.h"
 #include "facenav/core/error.h"
@@ -9,6 +10,7 @@
 #include "facenav/efield/built_in_coils.h"
 #include "facenav/efield/thinned_coil.h"
 #include "facenav/volume/nifti.h"
+#include "facenav/volume/nifti_forms.h"
 
 namespace facenav::efield {
 namespace {
@@ -70,6 +72,24 @@ void requireSound(const PotentialGrid& grid, const std::filesystem::path& path) 
                 "the values must be T m per ampere: check the file's units");
 }
 
+/// A line if the two maps of the grid's header differ, else nothing.
+std::optional<std::string> formsNote(const std::filesystem::path& path) {
+  constexpr double kSame_mm = 0.1;
+  const auto forms = volume::readNiftiForms(path);
+  if (!forms.sform || !forms.qform) return std::nullopt;
+  const auto& size = forms.grid.size;
+  double apart_mm = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d ijk(corner & 1 ? size[0] - 1 : 0, corner & 2 ? size[1] - 1 : 0,
+                              corner & 4 ? size[2] - 1 : 0);
+    apart_mm = std::max(apart_mm, (*forms.sform * ijk - *forms.qform * ijk).norm());
+  }
+  if (apart_mm <= kSame_mm) return std::nullopt;
+  return formatted(
+      "sform and qform of the coil's grid differ by up to %.1f mm: the %s is used, as SimNIBS does", apart_mm,
+      forms.used.c_str());
+}
+
 }  // namespace
 
 bool isCoilFieldName(const std::filesystem::path& path) {
@@ -88,6 +108,7 @@ CoilSource readPotentialNifti(const std::filesystem::path& path) {
   CoilSource source;
   source.dipoles.largest_didt_A_per_us = numberIn(pairValue(read.description, "dIdtmax")).value_or(0);
   source.dipoles.name = pairValue(read.description, "coilname");
+  if (const auto note = formsNote(path)) source.notes.push_back(*note);
   source.grids.push_back(std::move(grid));
   return source;
 }

@@ -28,6 +28,10 @@ std::string toString(LossDetail detail) {
       return "other_face";
     case LossDetail::out_of_step:
       return "out_of_step";
+    case LossDetail::cameras_moved:
+      return "cameras_moved";
+    case LossDetail::cameras_disagree:
+      return "cameras_disagree";
   }
   return "";
 }

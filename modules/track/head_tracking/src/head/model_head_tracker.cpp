@@ -159,7 +159,7 @@ class ModelHeadTracker : public HeadTracker {
     const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
     doubt_.hear(found, frame.captured);
-    if (found.is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
+    if (found.is_out_of_step) return doubted(PatchDoubt::ofStep(found), frame.captured);
     if (!found.is_patient) return std::nullopt;
     return continueFrom(found, frame);
   }
@@ -174,7 +174,7 @@ class ModelHeadTracker : public HeadTracker {
     }
     check_.end();
     if (found->is_other) return doubted(PatchDoubt::kOtherFace, frame.captured);
-    if (found->is_out_of_step) return doubted(PatchDoubt::kOutOfStep, frame.captured);
+    if (found->is_out_of_step) return doubted(PatchDoubt::ofStep(*found), frame.captured);
     if (found->is_step_unsure) {
       check_.askAgain();
       return std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
-// PatchDoubt: withholds poses of the patches after another person's face, after images out of step, or after
-// a return with a different appearance, until recovery (lost_face.h) confirms that the face is the patient's
-// and the images are in step.
+// PatchDoubt: withholds poses of the patches after another person's face, after images off their epipolar
+// lines, or after a return with a different appearance, until recovery (lost_face.h) confirms that the face
+// is the patient's and the images are in step.
 
 #include <cmath>
 #include <optional>
@@ -18,11 +18,23 @@ class PatchDoubt {
     LossDetail detail;
   };
   static constexpr Fault kOtherFace = {LostReason::no_face, LossDetail::other_face};
-  static constexpr Fault kOutOfStep = {LostReason::camera, LossDetail::out_of_step};
   static constexpr Fault kReturn = {LostReason::no_face, LossDetail::doubtful};  // no evidence against it
 
   void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now; }
   void clear() { fault_.reset(), other_seen_.reset(); }
+
+  /// The fault of an answer that is out of step.
+  static Fault ofStep(const LostFace::Found& answer) {
+    switch (answer.cause) {
+      case health::OffsetCause::camera_moved:
+        return {LostReason::camera, LossDetail::cameras_moved};
+      case health::OffsetCause::two_exposures:
+        return {LostReason::camera, LossDetail::out_of_step};
+      case health::OffsetCause::unknown:
+        break;
+    }
+    return {LostReason::camera, LossDetail::cameras_disagree};
+  }
 
   /// The present fault. It ends after some seconds without an answer; the patches' own identity check
   /// continues.

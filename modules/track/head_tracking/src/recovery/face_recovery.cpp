@@ -33,9 +33,11 @@ FaceRecovery::FaceRecovery(const cameras::StereoRig& rig, const cameras::StereoF
 SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   const auto& share = found.identity.side_share;
   const bool is_even = std::min(share[0], share[1]) > kUneven * std::max(share[0], share[1]);
-  if (is_even && found.pose.sides_apart)
-    return *found.pose.sides_apart > kApart && !found.lines.isClean() ? SidesVerdict::out_of_step
-                                                                      : SidesVerdict::agree;
+  if (is_even) {
+    // A small face may be too little for a pose in each image alone.
+    const bool is_apart = found.pose.sides_apart && *found.pose.sides_apart > kApart;
+    return is_apart && !found.lines.isClean() ? SidesVerdict::out_of_step : SidesVerdict::agree;
+  }
   for (const std::size_t c : {0u, 1u}) {  // does each image show the face at some pose?
     const RecoveryPose own = fitRecoveryPose(rig_, points_, *found.then, *found.pictures,
                                              found.pose.camera_T_head, c == 0 ? Sides::left : Sides::right);

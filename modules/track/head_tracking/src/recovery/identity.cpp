@@ -13,9 +13,15 @@ double logNormal(double x, double mean, double sigma) {
   return -0.5 * std::pow((x - mean) / sigma, 2) - std::log(sigma);
 }
 
+/// Standard deviation of the logit of a share: that over people, and that of a share of so few windows.
+double sigmaOfLogit(double of_people, double mean_logit, double independent_windows) {
+  const double mean = 1.0 / (1.0 + std::exp(-mean_logit));
+  return std::hypot(of_people, 1.0 / std::sqrt(std::max(1.0, independent_windows) * mean * (1.0 - mean)));
+}
+
 }  // namespace
 
-bool Identity::isAnswered() const { return windows >= settingsOf<IdentityModel>().identity_fewest_windows; }
+bool Identity::isAnswered() const { return windows > 0; }
 
 Identity::Verdict Identity::verdict() const {
   if (!isAnswered()) return Verdict::undecided;
@@ -45,11 +51,12 @@ Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, con
   for (std::size_t c = 0; c < 2; ++c) identity.side_share[c] = double(in_place[c]) / std::max(1, windows[c]);
   identity.in_place_share = double(in_place[0] + in_place[1]) / identity.windows;
   const double logit = std::log((identity.in_place_share + 0.01) / (1.01 - identity.in_place_share));
+  const double independent = points.independentShare() * identity.windows;
+  const double own = model.identity_own_mean, other = model.identity_other_mean;
   // A share beyond the mean of its own distribution must not reduce the evidence for it.
   identity.log_likelihood_ratio =
-      logNormal(std::min(logit, model.identity_own_mean), model.identity_own_mean, model.identity_own_sigma) -
-      logNormal(std::max(logit, model.identity_other_mean), model.identity_other_mean,
-                model.identity_other_sigma);
+      logNormal(std::min(logit, own), own, sigmaOfLogit(model.identity_own_sigma, own, independent)) -
+      logNormal(std::max(logit, other), other, sigmaOfLogit(model.identity_other_sigma, other, independent));
   if (shape) {
     identity.shape_rms_mm = shape->rms_mm;
     const double log_rms = std::log(std::max(0.05, shape->rms_mm));

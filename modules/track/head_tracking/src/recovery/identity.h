@@ -23,7 +23,7 @@ struct Identity {
 
   enum class Verdict { patient, other, undecided };
   Verdict verdict() const;
-  /// True if enough windows are in view for a decision.
+  /// True if windows are in view, so that the skin says something.
   bool isAnswered() const;
 };
 

@@ -1,6 +1,7 @@
 #include "lost_face.h"
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "facenav/core/processor_time.h"
 #include "head/pose_fit.h"
@@ -12,9 +13,10 @@ namespace {
 // Time that a live answer takes on one core of a small machine. The microsecond compensates for rounded frame
 // times, which delay every second answer about a recording by a frame.
 constexpr double kAnswer_s = 0.1 - 1e-6;
-constexpr double kOneMotion_s = 0.5;  // longest time between two answers that give the head's speed
-constexpr double kJitter_mm = 0.5;    // difference of two answers about a head at rest
-constexpr int kThoroughEvery = 4;     // questions; a search at all roll angles takes ten times longer
+constexpr double kOneMotion_s = 0.5;     // longest time between two answers that give the head's speed
+constexpr double kJitter_mm = 0.5;       // difference of two answers about a head at rest
+constexpr int kThoroughEvery = 4;        // questions; a search at all roll angles takes ten times longer
+constexpr double kDiagnosedFor_s = 3.0;  // the room decides anew after that; 0.3 s of one core
 constexpr int kMostSteps = 12, kFirstLevel = 1;
 // Scale of the residuals of the reference's patches relative to their expected sigma, below which the patches
 // are more exact than recovery's windows. Skin that has not moved has about 1, another expression 3 or more.
@@ -39,6 +41,14 @@ double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_ca
          logNormal((std::max(share, kOtherDetail) - kOtherDetail) / other_sigma, other_sigma);
 }
 
+/// Box of the skin that was found in the left picture, px.
+cv::Rect boxOf(const std::vector<SkinMatch>& matches) {
+  std::vector<cv::Point> points;
+  for (const SkinMatch& match : matches)
+    if (match.camera == 0) points.emplace_back(int(match.px.x()), int(match.px.y()));
+  return points.empty() ? cv::Rect() : cv::boundingRect(points);
+}
+
 }  // namespace
 
 LostFace::LostFace(std::shared_ptr<FaceRecovery> recovery, const Learnt& learnt, Pace pace)
@@ -60,6 +70,8 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.face = std::move(*face);
   found.camera_T_head = found.face.pose.camera_T_head;
   found.identify();
+  if (question.is_diagnosed && (found.is_out_of_step || found.face.lines.isOutOfStep()))
+    found.diagnosed = health::causeOfOffset(question.rig, question.frame, boxOf(found.face.pose.matches));
   if (!found.is_patient) return found;
   found.frame = question.frame;
   const std::array<ImagePyramid, 2> now = {ImagePyramid(question.frame.left),
@@ -105,13 +117,21 @@ std::optional<LostFace::Found> LostFace::take(Timestamp now) {
   if (is_to_forget_ && !answers_.isBusy()) recovery_->forgetRemembered(), is_to_forget_ = false;
   if (!found || found->epoch != epoch_) return std::nullopt;
   const double allowed = allowed_px(*found);
-  if (found->face.identity.verdict() != Identity::Verdict::patient) return found;
-  const auto verdict = step_.judge(found->face.lines, allowed, found->captured);
-  if (verdict == StepVerdict::in_step) return found;
-  found->is_patient = false, found->moment.reset();
-  found->is_out_of_step |= verdict == StepVerdict::out_of_step;
-  found->is_step_unsure = verdict == StepVerdict::unsure;
+  if (found->face.identity.verdict() == Identity::Verdict::patient) {
+    const auto verdict = step_.judge(found->face.lines, allowed, found->captured);
+    if (verdict != StepVerdict::in_step) found->is_patient = false, found->moment.reset();
+    found->is_out_of_step |= verdict == StepVerdict::out_of_step;
+    found->is_step_unsure = verdict == StepVerdict::unsure;
+  }
+  explainOffset(*found);
   return found;
+}
+
+// A diagnosis only chooses the words: the pair is off its lines by whatever cause.
+void LostFace::explainOffset(Found& found) {
+  if (found.diagnosed) cause_ = *found.diagnosed, diagnosed_ = found.captured;
+  if (!found.is_out_of_step && found.is_patient) cause_ = health::OffsetCause::unknown, diagnosed_.reset();
+  found.cause = cause_;
 }
 
 // Epipolar error (px) that the head's motion between the exposures of untriggered cameras explains. The
@@ -135,6 +155,7 @@ void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen:
   question->frame = frame;
   question->frame.left = frame.left.clone(), question->frame.right = frame.right.clone();
   question->last = last, question->is_thorough = asked_++ % kThoroughEvery == 0, question->epoch = epoch_;
+  question->is_diagnosed = !diagnosed_ || std::abs(frame.captured - *diagnosed_) > kDiagnosedFor_s;
   question->rig = *learnt_.rig;
   recovery_->moveRight(learnt_.rig->right_T_left);
   answers_.ask(std::move(question), frame.captured.s);

@@ -8,6 +8,7 @@
 #include "face_recovery.h"
 #include "facenav/core/later_answer.h"
 #include "facenav/head_tracking/head_tracker.h"
+#include "facenav/health/pair_diagnosis.h"
 #include "head/key_frames.h"
 #include "head/late_camera.h"
 #include "head/skin_detail.h"
@@ -28,12 +29,14 @@ class LostFace {
     std::optional<KeyFrame> moment;  // patches of the present image; empty if the reference's fit
     bool is_patient = false;         // otherwise the face is another person's, absent, or undecided
     bool is_other = false;
-    bool is_out_of_step = false;  // the two images show the face at two poses
+    bool is_out_of_step = false;                               // the two images show the face at two poses
+    health::OffsetCause cause = health::OffsetCause::unknown;  // of is_out_of_step
     bool is_step_unsure = false;  // the images may be out of step: the next answer decides
     RecoveredFace face;
     Timestamp captured;          // capture time of the pair
     cameras::StereoFrame frame;  // that pair, only if the face is the patient's
     int epoch = 0;
+    std::optional<health::OffsetCause> diagnosed;  // of this pair
 
     void identify();  // sets is_patient, is_other and is_out_of_step from `face`
   };
@@ -66,7 +69,8 @@ class LostFace {
   struct Question {
     cameras::StereoFrame frame;
     std::optional<Eigen::Isometry3d> last;
-    bool is_thorough;  // the face detector searches all roll angles
+    bool is_thorough;   // the face detector searches all roll angles
+    bool is_diagnosed;  // images off their lines are diagnosed, which takes 0.3 s more
     int epoch;
     cameras::StereoRig rig;  // with the right camera's pose in this frame
   };
@@ -76,6 +80,7 @@ class LostFace {
   };
   double allowed_px(const Found& found);
   static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
+  void explainOffset(Found& found);
   static void learnMoment(const FaceRecovery& recovery, const Learnt& learnt, const cameras::StereoRig& rig,
                           Found& found);
 
@@ -83,6 +88,8 @@ class LostFace {
   Learnt learnt_;
   std::optional<Before> before_;  // pose and time of the last answer
   StepWatch step_;
+  health::OffsetCause cause_ = health::OffsetCause::unknown;  // by the last diagnosis
+  std::optional<Timestamp> diagnosed_;  // capture time of the pair that was diagnosed last
   Pace pace_;
   int epoch_ = 0, asked_ = 0;
   bool is_to_forget_ = false;

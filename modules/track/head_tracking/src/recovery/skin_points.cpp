@@ -154,6 +154,7 @@ SkinPoints::SkinPoints(const cameras::StereoRig& rig, const cameras::StereoFrame
   const int side = 2 * half_window_px_ + 1;
   cv::cornerMinEigenVal(reference_.pictures.level[0][0], texture, side, 3);
   const double cell = std::max(4.0, box.width / kCells);
+  independent_share_ = 0.5 * std::min(1.0, std::pow(cell / side, 2));
   // Limit of OpenCV's eigenvalue, which is about 4 times the mean squared gradient along the weaker direction
   // for windows of 11 to 25 px. It corresponds to an rms gradient of kLeastTexture_grey / (4 side).
   const double least = std::pow(kLeastTexture_grey * 0.5 / side, 2);

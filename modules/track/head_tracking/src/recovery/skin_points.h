@@ -78,6 +78,8 @@ class SkinPoints {
   int regionCount() const;
   /// Half the side of a window at full resolution, px.
   int halfWindow_px() const { return half_window_px_; }
+  /// Share of the windows whose values are independent: neighbours overlap, and both cameras see one skin.
+  double independentShare() const { return independent_share_; }
   /// The reference pair.
   const SkinView& reference() const { return reference_; }
 
@@ -98,6 +100,7 @@ class SkinPoints {
   std::vector<SkinPoint> points_;
   Eigen::Vector3d centre_mm_ = Eigen::Vector3d::Zero();
   int half_window_px_ = 10;  // at full resolution
+  double independent_share_ = 0.25;
 };
 
 }  // namespace facenav::head_tracking

@@ -18,6 +18,8 @@ std::string oscBundle(const PulseTrigger& pulse);
 /// Line of JSON, with its line end.
 std::string jsonLine(const LiveFrame& frame);
 std::string jsonLine(const PulseTrigger& pulse);
+/// The line without poses and guidance: when, state, instruction, target.
+std::string jsonStateLine(const LiveFrame& frame);
 
 class DatagramOutput : public ThreadedOutput {
  public:

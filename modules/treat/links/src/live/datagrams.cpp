@@ -72,6 +72,14 @@ std::string lineOf(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+nlohmann::json stateOf(const LiveFrame& frame) {
+  return {{"frame", frame.number},
+          {"utc", isoUtc(frame.utc)},
+          {"state", frame.state},
+          {"instruction", frame.instruction},
+          {"target", frame.target}};
+}
+
 }  // namespace
 
 std::string oscBundle(const LiveFrame& frame) {
@@ -104,10 +112,11 @@ std::string jsonLine(const LiveFrame& frame) {
     poses[each.name] = {{"valid", each.pose.has_value()},
                         {"status", each.status},
                         {"rows", each.pose ? rowsOf(*each.pose) : nlohmann::json()}};
-  nlohmann::json json{{"frame", frame.number},       {"utc", isoUtc(frame.utc)},
-                      {"state", frame.state},        {"instruction", frame.instruction},
-                      {"target", frame.target},      {"poses", poses},
-                      {"guidance", nlohmann::json()}};
+  for (const auto& each : frame.poses)
+    if (!each.coil.empty()) poses[each.name]["coil"] = each.coil;
+  nlohmann::json json = stateOf(frame);
+  json["poses"] = poses;
+  json["guidance"] = nullptr;
   if (const auto& g = frame.guidance)
     json["guidance"] = {{"distance_mm", g->distance_mm},
                         {"lateral_mm", g->lateral_mm},
@@ -116,6 +125,8 @@ std::string jsonLine(const LiveFrame& frame) {
                         {"twist_deg", g->twist_deg}};
   return lineOf(json);
 }
+
+std::string jsonStateLine(const LiveFrame& frame) { return lineOf(stateOf(frame)); }
 
 std::string jsonLine(const PulseTrigger& pulse) {
   nlohmann::json json{{"pulse", true}, {"utc", isoUtc(pulse.utc)}, {"source", pulse.source}};

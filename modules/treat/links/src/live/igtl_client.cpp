@@ -9,14 +9,17 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <deque>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
-#include "facenav/core/timestamp.h"
+#include "facenav/core/number_text.h"
 #include "facenav/links/igtl_content.h"
 #include "facenav/links/igtl_reader.h"
 
@@ -27,32 +30,58 @@ constexpr int kConnectAgain_ms = 1000;
 constexpr double kRigidTolerance = 1e-2;
 constexpr std::size_t kMostNames = 64;
 
-struct ReceivedPose {
-  std::optional<Eigen::Isometry3d> pose;  // nothing: lost
-  std::uint64_t stamp = 0;
-  Timestamp arrived;
-};
+// Readings of a tool that are kept, to pair those of one moment: messages of one frame follow each other.
+constexpr std::size_t kMostReadings = 4;
 
-/// The pose with its rotation made orthonormal; nothing if it is none.
-std::optional<Eigen::Isometry3d> asRigid(const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix3d rotation = pose.linear();
-  const bool is_rigid = (rotation * rotation.transpose()).isIdentity(kRigidTolerance) &&
-                        rotation.determinant() > 0 && pose.matrix().allFinite();
-  if (!is_rigid) return std::nullopt;
-  Eigen::Isometry3d clean(Eigen::Quaterniond(rotation).normalized());
-  clean.translation() = pose.translation();
-  return clean;
+/// The pose with its rotation made orthonormal, or why it is none.
+IgtlReading asRigid(const Eigen::Isometry3d& pose) {
+  IgtlReading reading;
+  reading.fault = faultOfPose(pose);
+  if (!reading.fault.empty()) return reading;
+  reading.pose = Eigen::Isometry3d(Eigen::Quaterniond(Eigen::Matrix3d(pose.linear())).normalized());
+  reading.pose->translation() = pose.translation();
+  return reading;
 }
 
-/// True if the sender says that the pose is lost: by its metadata, or by the identity.
-bool isSaidLost(const IgtlMessage& message, const Eigen::Isometry3d& pose) {
-  const std::string valid = message.value("TransformValid"), status = message.value("TransformStatus");
-  if (!valid.empty()) return valid != "1";
-  if (!status.empty()) return status != "OK";
-  return pose.matrix().isIdentity(1e-9);
+/// Reads a tool of QTDATA. A quaternion of another length than 1 is no rotation.
+IgtlReading asRigid(const IgtlPlace& place) {
+  IgtlReading reading;
+  const double length = place.rotation.norm();
+  if (!(std::abs(length - 1.0) < kRigidTolerance)) {
+    reading.fault = formatted("has a quaternion of length %.3g", length);
+    return reading;
+  }
+  Eigen::Isometry3d pose(place.rotation.normalized());
+  pose.translation() = place.position_mm;
+  return asRigid(pose);
+}
+
+/// True if the metadata say that the pose of this key's tool is lost.
+bool isSaidLost(const std::string& valid, const std::string& status) {
+  return (!valid.empty() && valid != "1" && valid != "true") || (!status.empty() && status != "OK");
+}
+
+bool isSame(const IgtlReading& a, const IgtlReading& b) {
+  return a.pose.has_value() == b.pose.has_value() && (!a.pose || a.pose->matrix() == b.pose->matrix());
+}
+
+bool isOld(const IgtlReading& reading) {
+  return Timestamp::now() - reading.arrived > IgtlClient::kAgeLimit_s;
 }
 
 }  // namespace
+
+std::string faultOfPose(const Eigen::Isometry3d& pose) {
+  const Eigen::Matrix3d rotation = pose.linear();
+  if (!pose.matrix().allFinite()) return "holds numbers that are not finite";
+  const double determinant = rotation.determinant();
+  if (determinant < 0) return "is mirrored";
+  const double scale = std::cbrt(determinant);
+  if (std::abs(scale - 1) > kRigidTolerance)
+    return formatted("is scaled by %.3g (a rotation and millimetres are expected)", scale);
+  if (!(rotation * rotation.transpose()).isIdentity(kRigidTolerance)) return "is sheared";
+  return {};
+}
 
 ServedPose servedPoseFrom(const std::string& words) {
   static const std::string kScheme = "igtl://";
@@ -81,7 +110,7 @@ struct IgtlClient::Implementation {
   int wake = -1;
   std::atomic<bool> is_stopping{false}, is_connected{false};
   mutable std::mutex mutex;
-  std::map<std::string, ReceivedPose> poses;  // guarded by the mutex
+  std::map<std::string, std::deque<IgtlReading>> tools;  // the newest last; guarded by the mutex
   std::thread thread;
 
   void run();
@@ -89,7 +118,8 @@ struct IgtlClient::Implementation {
   void receiveFrom(int socket);
   short waitFor(int socket, short events, int wait_ms) const;
   void take(const IgtlMessage& message);
-  void keep(const std::string& name, std::uint64_t stamp, std::optional<Eigen::Isometry3d> pose);
+  void keep(const std::string& name, std::uint64_t stamp, IgtlReading reading);
+  IgtlReading newest(const std::string& name) const;
 };
 
 /// Returns the socket's events; 0 after `wait_ms`, or when the client stops.
@@ -128,7 +158,7 @@ void IgtlClient::Implementation::run() {
     is_connected = false;
     ::close(socket);
     std::lock_guard lock(mutex);
-    poses.clear();  // time stamps begin anew
+    tools.clear();  // time stamps begin anew
   }
 }
 
@@ -147,28 +177,54 @@ void IgtlClient::Implementation::receiveFrom(int socket) {
 
 void IgtlClient::Implementation::take(const IgtlMessage& message) {
   if (message.type == "TRANSFORM") {
-    if (const auto pose = readTransform(message.content))
-      keep(message.device, message.stamp, isSaidLost(message, *pose) ? std::nullopt : asRigid(*pose));
-  } else if (message.type == "TDATA") {
-    if (const auto tools = readTools(message.content))
-      for (const auto& tool : *tools) keep(tool.name, message.stamp, asRigid(tool.pose));
+    const auto pose = readTransform(message.content);
+    if (!pose) return;
+    const bool is_lost = isSaidLost(message.value("TransformValid"), message.value("TransformStatus"));
+    keep(message.device, message.stamp, is_lost ? IgtlReading() : asRigid(*pose));
+    return;
+  }
+  std::set<std::string> names;  // the first of two equal ones counts
+  const auto keepTool = [&](const std::string& name, const IgtlReading& reading) {
+    if (!names.insert(name).second) return;
+    const bool is_lost = isSaidLost({}, message.value(name + "Status"));
+    keep(name, message.stamp, is_lost ? IgtlReading() : reading);
+  };
+  if (message.type == "TDATA") {
+    if (const auto read = readTools(message.content))
+      for (const auto& tool : *read) keepTool(tool.name, asRigid(tool.pose));
   } else if (message.type == "QTDATA") {
-    if (const auto tools = readPlacedTools(message.content))
-      for (const auto& tool : *tools) {
-        Eigen::Isometry3d pose(tool.place.rotation.normalized());
-        pose.translation() = tool.place.position_mm;
-        keep(tool.name, message.stamp, asRigid(pose));
-      }
+    if (const auto read = readPlacedTools(message.content))
+      for (const auto& tool : *read) keepTool(tool.name, asRigid(tool.place));
   }
 }
 
-void IgtlClient::Implementation::keep(const std::string& name, std::uint64_t stamp,
-                                      std::optional<Eigen::Isometry3d> pose) {
+void IgtlClient::Implementation::keep(const std::string& name, std::uint64_t stamp, IgtlReading reading) {
+  if (reading.pose && reading.pose->matrix().isIdentity(1e-9)) reading.pose.reset();
+  reading.stamp = stamp;
+  reading.arrived = Timestamp::now();
   std::lock_guard lock(mutex);
-  if (poses.size() >= kMostNames && poses.count(name) == 0) return;
-  auto& kept = poses[name];
-  if (stamp < kept.stamp) return;  // older than what is there
-  kept = {std::move(pose), stamp, Timestamp::now()};
+  if (tools.size() >= kMostNames && tools.count(name) == 0) return;
+  auto& kept = tools[name];
+  if (!kept.empty()) {
+    const auto& last = kept.back();
+    if (stamp < last.stamp && !isOld(last)) return;  // after a pause its clock may have been set back
+    if (stamp != 0 && stamp == last.stamp && isSame(last, reading)) return;  // the last message again
+  }
+  kept.push_back(std::move(reading));
+  if (kept.size() > kMostReadings) kept.pop_front();
+}
+
+/// Newest reading, lost if it is old. Called with the mutex locked.
+IgtlReading IgtlClient::Implementation::newest(const std::string& name) const {
+  const auto found = tools.find(name);
+  if (found == tools.end() || isOld(found->second.back())) {
+    IgtlReading none;
+    none.fault = !is_connected          ? "the server is not connected"
+                 : found == tools.end() ? "the server has sent no pose of this name"
+                                        : formatted("no new message for %.2f s", kAgeLimit_s);
+    return none;
+  }
+  return found->second.back();
 }
 
 IgtlClient::IgtlClient(const std::string& host, int port)
@@ -203,11 +259,25 @@ IgtlClient::~IgtlClient() {
 }
 
 std::optional<Eigen::Isometry3d> IgtlClient::pose(const std::string& name) const {
-  std::lock_guard lock(implementation_->mutex);
-  const auto found = implementation_->poses.find(name);
-  if (found == implementation_->poses.end()) return std::nullopt;
-  if (Timestamp::now() - found->second.arrived > kAgeLimit_s) return std::nullopt;
-  return found->second.pose;
+  return read({name}).front().pose;
+}
+
+std::vector<IgtlReading> IgtlClient::read(const std::vector<std::string>& names) const {
+  const auto& client = *implementation_;
+  std::lock_guard lock(client.mutex);
+  std::vector<IgtlReading> readings;
+  for (const auto& name : names) readings.push_back(client.newest(name));
+  // The moment is that of the tool whose newest reading is the oldest. A tool that is lost gives no moment.
+  std::uint64_t moment = 0;
+  for (const auto& reading : readings)
+    if (reading.pose && (moment == 0 || reading.stamp < moment)) moment = reading.stamp;
+  if (moment == 0) return readings;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!readings[i].pose) continue;  // lost now: an earlier pose would be an old one
+    for (const auto& earlier : client.tools.at(names[i]))
+      if (earlier.stamp == moment && !isOld(earlier)) readings[i] = earlier;
+  }
+  return readings;
 }
 
 bool IgtlClient::isConnected() const { return implementation_->is_connected; }

@@ -41,6 +41,7 @@ IgtlMessage transformMessage(const LivePose& pose, std::uint64_t stamp, int head
   message.content = transformContent(pose.pose.value_or(Eigen::Isometry3d::Identity()));
   if (header_version >= 2)
     message.metadata = {{"TransformValid", pose.pose ? "1" : "0"}, {"TransformStatus", pose.status}};
+  if (header_version >= 2 && !pose.coil.empty()) message.metadata.push_back({"CoilName", pose.coil, 106});
   return message;
 }
 

@@ -50,6 +50,8 @@ class IgtlPeer : public std::enable_shared_from_this<IgtlPeer> {
 
   /// Bytes that wait for the client in this program.
   std::size_t waiting() const;
+  /// "127.0.0.1:50112".
+  const std::string& address() const { return address_; }
   /// "127.0.0.1:50112, header 2".
   std::string words() const;
   int headerVersion() const { return header_version_; }

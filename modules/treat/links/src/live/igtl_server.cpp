@@ -12,6 +12,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
+#include "igtl_orders.h"
 
 namespace facenav::links {
 namespace {
@@ -24,7 +25,7 @@ std::string wordsOfPlace(const sockaddr_in& place) {
   return std::string(text) + ":" + std::to_string(ntohs(place.sin_port));
 }
 
-IgtlMessage message(const std::string& type, const std::string& device, Bytes content) {
+IgtlMessage sentMessage(const std::string& type, const std::string& device, Bytes content) {
   IgtlMessage sent;
   sent.type = type;
   sent.device = device;
@@ -34,7 +35,7 @@ IgtlMessage message(const std::string& type, const std::string& device, Bytes co
 }
 
 IgtlMessage status(IgtlStatusCode code, const std::string& name, const std::string& text) {
-  return message("STATUS", "FaceNav", statusContent({int(code), 0, name, text}));
+  return sentMessage("STATUS", "FaceNav", statusContent({int(code), 0, name, text}));
 }
 
 bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
@@ -43,8 +44,9 @@ bool isOneOf(const std::string& word, std::initializer_list<const char*> words) 
 
 }  // namespace
 
-IgtlServer::IgtlServer(const std::string& name, const IgtlPlaceToListen& place, LiveContent content)
-    : ThreadedOutput(name), content_(std::move(content), [this] { wake(); }) {
+IgtlServer::IgtlServer(const std::string& name, const IgtlPlaceToListen& place, LiveContent content,
+                       LiveIncoming incoming)
+    : ThreadedOutput(name), incoming_(std::move(incoming)), content_(std::move(content), [this] { wake(); }) {
   try {
     listen(place);
     start();
@@ -151,13 +153,32 @@ void IgtlServer::dropGone() {
 }
 
 void IgtlServer::answer(IgtlPeer& peer, const IgtlMessage& request) {
-  if (request.type.size() < 5 || request.type[3] != '_') return;  // no request: nothing is asked
+  if (request.type.size() < 5 || request.type[3] != '_') return takeOrders(peer, request);
   const std::string verb = request.type.substr(0, 3);
   std::string type = request.type.substr(4);
   // The field holds 12 letters: the protocol's library asks for GET_TRANS, others cut the word.
   if (isOneOf(type, {"TRANS", "TRANSFOR"})) type = "TRANSFORM";
   if (verb == "GET") return answerGet(peer, type, request.device);
   if (verb == "STT" || verb == "STP") answerStart(peer, type, request, verb == "STT");
+}
+
+/// Hands over what a message orders. A COMMAND is always answered, another order only if it is refused.
+void IgtlServer::takeOrders(IgtlPeer& peer, const IgtlMessage& message) {
+  auto found = ordersIn(message, incoming_);
+  for (auto& order : found.orders) {
+    order.from = peer.address();
+    order.arrived = Timestamp::now();
+    if (incoming_.receive) incoming_.receive(order);
+  }
+  if (!found.is_order) return;
+  if (message.type == "COMMAND")
+    return peer.reply(
+        sentMessage("RTS_COMMAND", message.device,
+                    commandContent({found.id, found.refusal, found.refusal.empty() ? "taken" : "refused"})));
+  const bool is_off = !(message.type == "STRING" ? incoming_.takes_commands : incoming_.takes_targets);
+  if (!found.refusal.empty())
+    peer.reply(status(is_off ? IgtlStatusCode::disabled : IgtlStatusCode::not_found,
+                      is_off ? "Disabled" : "NotFound", found.refusal));
 }
 
 void IgtlServer::answerGet(IgtlPeer& peer, const std::string& type, const std::string& device) {
@@ -173,7 +194,7 @@ void IgtlServer::answerGet(IgtlPeer& peer, const std::string& type, const std::s
   if (frame_ && isOneOf(type, {"TDATA", "QTDATA"}))
     return peer.reply(toolsMessage(*frame_, type == "QTDATA", peer.headerVersion()));
   if (frame_ && type == "STRING") {
-    auto sent = message("STRING", "State", stringContent({frame_->state}));
+    auto sent = sentMessage("STRING", "State", stringContent({frame_->state}));
     sent.stamp = igtlStamp(frame_->utc);
     return peer.reply(std::move(sent));
   }
@@ -200,8 +221,8 @@ void IgtlServer::answerStart(IgtlPeer& peer, const std::string& type, const Igtl
     else
       (type == "TDATA" ? peer.tools() : peer.placedTools()) = {is_start, start->interval_ms, {}};
   }
-  peer.reply(message("RTS_" + (type == "TRANSFORM" ? "TRANS" : type), request.device,
-                     answerContent(is_known && start ? 0 : 1)));
+  peer.reply(sentMessage("RTS_" + (type == "TRANSFORM" ? "TRANS" : type), request.device,
+                         answerContent(is_known && start ? 0 : 1)));
 }
 
 }  // namespace facenav::links

@@ -27,6 +27,10 @@ std::string detailWords(LossDetail detail) {
       return monitoring::bannerOf(health::RigState::swapped);
     case LossDetail::out_of_step:
       return monitoring::bannerOf(health::RigState::out_of_step);
+    case LossDetail::cameras_moved:
+      return monitoring::bannerOf(health::RigState::moved);
+    case LossDetail::cameras_disagree:
+      return "CAMERAS DISAGREE: one has moved, or they expose at different moments";
     case LossDetail::other_face:
       return "ANOTHER PERSON: only the patient's face is followed";
     case LossDetail::doubtful:
@@ -36,7 +40,11 @@ std::string detailWords(LossDetail detail) {
   return {};
 }
 
-std::string headWords(LostReason reason, LossDetail detail) {
+constexpr const char* kHeadNotServed = "HEAD NOT SEEN: show its marker to the tracker";
+constexpr const char* kCoilNotServed = "COIL NOT SEEN: show its marker to the tracker";
+
+std::string headWords(LostReason reason, LossDetail detail, bool is_served) {
+  if (is_served && reason == LostReason::no_face) return kHeadNotServed;
   const std::string words = detailWords(detail);
   if (!words.empty()) return words;
   switch (reason) {
@@ -56,7 +64,8 @@ std::string headWords(LostReason reason, LossDetail detail) {
   return "HEAD LOST";
 }
 
-std::string coilWords(LostReason reason) {
+std::string coilWords(LostReason reason, bool is_served) {
+  if (is_served && reason == LostReason::no_marker) return kCoilNotServed;
   switch (reason) {
     case LostReason::no_marker:
       return "COIL NOT SEEN: turn the marker towards the cameras";
@@ -105,6 +114,13 @@ NavigationState blanked(const NavigationState& state, LostReason reason) {
   out.guidance = {};
   out.guidance.reason = reason;
   out.guidance.instruction = lossInWords(out);
+  if (!out.second) return out;
+  out.second->coil = Lost{reason};
+  out.second->camera_T_coil = Lost{reason};
+  out.second->gap_mm.reset();
+  out.second->guidance = {};
+  out.second->guidance.reason = reason;
+  out.second->guidance.instruction = out.guidance.instruction;
   return out;
 }
 
@@ -118,16 +134,22 @@ std::string lossInWords(const NavigationState& state) {
   if (state.withheld) return monitoring::bannerOf(*state.withheld);
   if (!state.head) return headLossInWords(state);
   if (!state.is_aligned) return "NOT ALIGNED: align the head first";
-  if (!state.camera_T_mri) return headWords(state.camera_T_mri.reason(), state.head_detail);
+  if (!state.camera_T_mri)
+    return headWords(state.camera_T_mri.reason(), state.head_detail, state.is_head_served);
   return coilLossInWords(state);
 }
 
 std::string headLossInWords(const NavigationState& state) {
-  return state.head ? std::string() : headWords(state.head.reason(), state.head_detail);
+  return state.head ? std::string() : headWords(state.head.reason(), state.head_detail, state.is_head_served);
 }
 
 std::string coilLossInWords(const NavigationState& state) {
-  return state.coil ? std::string() : coilWords(state.coil.reason());
+  return state.coil ? std::string() : coilWords(state.coil.reason(), state.is_coil_served);
+}
+
+std::string secondCoilLossInWords(const NavigationState& state) {
+  if (!state.second || state.second->coil) return {};
+  return coilWords(state.second->coil.reason(), state.is_head_served);  // then both coils are
 }
 
 std::vector<std::string> lossTitles(const NavigationState& state) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "facenav/coil_tracking/coil_card.h"
 #include "facenav/health/rig_error.h"
 #include "facenav/session/face_memory.h"
 
@@ -27,6 +28,16 @@ std::unique_ptr<monitoring::BesideCoilWatch> makeGapWatch(const NavigatorSetup& 
       monitoring::BesideCoilWatch::Mode::own_thread);
 }
 
+/// With an alignment that is too uncertain no coil is on target.
+void withholdUncertain(const ChosenTarget& chosen, guidance::GuidanceState& guidance) {
+  if (guidance.state != guidance::State::on_target) return;
+  const std::string uncertain = tooUncertainInWords(chosen);
+  if (uncertain.empty()) return;
+  guidance.state = guidance::State::adjust;
+  guidance.action = guidance::Action::none;
+  guidance.instruction = uncertain;
+}
+
 }  // namespace
 
 std::optional<double> gapToSkin_mm(const RigidTransform<Mri, Coil>& mri_T_coil,
@@ -39,8 +50,9 @@ std::optional<double> gapToSkin_mm(const RigidTransform<Mri, Coil>& mri_T_coil,
 Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking::HeadTracker> head,
                      std::unique_ptr<coil_tracking::CoilTracker> coil)
     : rig_(setup.rig),
-      marker_T_coil_(setup.coil.marker_T_coil()),
-      coil_name_(setup.coil.name),
+      model_(setup.coil),
+      is_head_served_(setup.is_head_served),
+      is_coil_served_(setup.is_coil_served),
       tolerance_(setup.tolerance),
       trust_(setup.rig),
       scalp_(setup.scalp),
@@ -64,7 +76,9 @@ Navigator::Navigator(const NavigatorSetup& setup, std::unique_ptr<head_tracking:
     trust_.setWatchdog(std::make_unique<monitoring::DriftWatchdog>(measure, mode));
     trust_.setCheck(std::make_unique<monitoring::RegistrationCheck>(measure, mode));
   }
-  if (setup.scalp && setup.pace == head_tracking::Pace::live) gap_watch_ = makeGapWatch(setup);
+  const bool has_pictures = !setup.is_head_served;
+  if (setup.scalp && has_pictures && setup.pace == head_tracking::Pace::live)
+    gap_watch_ = makeGapWatch(setup);
 }
 
 std::vector<casefile::StoredKeyFrame> Navigator::learntKeyFrames() const {
@@ -79,11 +93,24 @@ void Navigator::setTarget(std::optional<ChosenTarget> target) {
 }
 
 void Navigator::setCoil(const coil_tracking::CoilModel& coil) {
+  if (second_) coil_tracking::requireTellable(coil, second_->model);
   coil_->start(rig_, coil);
-  marker_T_coil_ = coil.marker_T_coil();
-  coil_name_ = coil.name;
+  model_ = coil;
   coil_deferred_ = {};
   previous_ = {};
+}
+
+void Navigator::addSecondCoil(const coil_tracking::CoilModel& coil,
+                              std::unique_ptr<coil_tracking::CoilTracker> tracker) {
+  coil_tracking::requireTellable(coil, model_);
+  tracker->start(rig_, coil);
+  second_ = Second{coil, std::move(tracker), nullptr, {}};
+}
+
+void Navigator::setSecondTarget(std::optional<ChosenTarget> target) {
+  FACENAV_EXPECT(second_.has_value(), "there is a second coil");
+  second_->target = target ? std::make_shared<const ChosenTarget>(std::move(*target)) : nullptr;
+  second_->previous = {};
 }
 
 NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> frame) {
@@ -96,7 +123,14 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   state.arrived = state.taken = begin;
   state.is_aligned = head_T_mri_.has_value();
   state.target = target_ ? target_->target.name : "";
-  state.coil_name = coil_name_;
+  state.coil_name = model_.name;
+  state.is_head_served = is_head_served_;
+  state.is_coil_served = is_coil_served_;
+  if (second_) {
+    state.second.emplace();
+    state.second->name = second_->model.name;
+    state.second->chosen = second_->target;
+  }
   state.chosen = target_;
   state.tolerance = tolerance_;
   if (isUsable(*frame, rig_)) {
@@ -110,6 +144,7 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
     if (trust_.hasWatchdog()) watching_ms += (Timestamp::now() - tracked) * 1e3;
     state.images = std::move(frame);
     guide(state);
+    guideSecond(state);
     if (rigFault(state)) state = blanked(state, LostReason::camera);
   } else {
     state.withheld = monitoring::withheldByAbsence(*frame);
@@ -121,14 +156,38 @@ NavigationState Navigator::process(std::shared_ptr<const cameras::StereoFrame> f
   return state;
 }
 
+/// Tracks both coils with one budget of work. A coil that was seen goes first, because it needs little; coils
+/// that are lost search in turn. Returns the first coil's result, with the work and the observation of both.
+coil_tracking::CoilResult Navigator::trackCoils(const cameras::StereoFrame& frame,
+                                                const coil_tracking::CoilContext& context,
+                                                NavigationState& state) {
+  if (!second_) return coil_->track(frame, context);
+  const bool is_turn = frame.number % 2 != 0;
+  const bool is_second_first = was_coil_tracked_ == second_->was_tracked ? is_turn : second_->was_tracked;
+  coil_tracking::CoilContext later = context;
+  auto& first_tracker = is_second_first ? *second_->tracker : *coil_;
+  auto& later_tracker = is_second_first ? *coil_ : *second_->tracker;
+  auto earlier_found = first_tracker.track(frame, context);
+  if (earlier_found.work.comparisons > 0) later.work_before = earlier_found.work;
+  auto later_found = later_tracker.track(frame, later);
+  auto& coil = is_second_first ? later_found : earlier_found;
+  auto& second = is_second_first ? earlier_found : later_found;
+  was_coil_tracked_ = coil.isTracked();
+  second_->was_tracked = second.isTracked();
+  state.second->coil = second;
+  coil.deferred.comparisons += second.deferred.comparisons;
+  if (!coil.observation) coil.observation = second.observation;
+  return coil;
+}
+
 /// Tracks head, then coil. Returns the time (ms) of work that a live session does in parallel with the
 /// frames.
 double Navigator::track(const cameras::StereoFrame& frame, NavigationState& state) {
   const auto right_T_left = trust_.rig().right_T_left();
   const auto head =
       head_->track(frame, {coil_deferred_, std::exchange(is_learnt_in_doubt_, false), right_T_left});
-  const auto coil =
-      coil_->track(frame, {head.exposure_offset, head.work, right_T_left, trust_.rig().rightTurnSigma_rad()});
+  const auto coil = trackCoils(
+      frame, {head.exposure_offset, head.work, right_T_left, trust_.rig().rightTurnSigma_rad()}, state);
   coil_deferred_ = coil.deferred;
   state.head = head;
   state.head_detail = head.loss_detail;
@@ -147,9 +206,16 @@ void Navigator::place(NavigationState& state) const {
   else if (head_T_mri_)
     state.camera_T_mri = {state.head->camera_T_head * *head_T_mri_, state.head.quality()};
   if (state.coil)
-    state.camera_T_coil = {state.coil->camera_T_marker * marker_T_coil_, state.coil.quality()};
+    state.camera_T_coil = {state.coil->camera_T_marker * model_.marker_T_coil(), state.coil.quality()};
   else
     state.camera_T_coil = Lost{state.coil.reason()};
+  if (!second_) return;
+  auto& second = *state.second;
+  if (second.coil)
+    second.camera_T_coil = {second.coil->camera_T_marker * second_->model.marker_T_coil(),
+                            second.coil.quality()};
+  else
+    second.camera_T_coil = Lost{second.coil.reason()};
 }
 
 bool Navigator::checkRegistration(bool is_withheld_until) {
@@ -174,6 +240,8 @@ void Navigator::measureGap(const std::shared_ptr<const cameras::StereoFrame>& fr
   const auto camera_T_mri = maybe(state.camera_T_mri);
   const auto camera_T_coil = maybe(state.camera_T_coil);
   if (gap_watch_) gap_watch_->add(frame, camera_T_mri, camera_T_coil);
+  if (scalp_ && camera_T_mri && state.second && state.second->camera_T_coil)
+    state.second->gap_mm = gapToSkin_mm(camera_T_mri->inverse() * *state.second->camera_T_coil, *scalp_);
   if (!scalp_ || !camera_T_mri || !camera_T_coil) return;
   state.gap.by_poses_mm = gapToSkin_mm(camera_T_mri->inverse() * *camera_T_coil, *scalp_);
   // The predicted error is that of a point in space; the gap is affected only by its component along the
@@ -192,12 +260,19 @@ void Navigator::guide(NavigationState& state) {
   const std::string loss = lossInWords(state);
   if (!loss.empty()) state.guidance.instruction = loss;
   previous_ = state.guidance;
-  if (!target_ || state.guidance.state != guidance::State::on_target) return;
-  const std::string uncertain = tooUncertainInWords(*target_);
-  if (uncertain.empty()) return;
-  state.guidance.state = guidance::State::adjust;
-  state.guidance.action = guidance::Action::none;
-  state.guidance.instruction = uncertain;
+  if (target_) withholdUncertain(*target_, state.guidance);
+}
+
+void Navigator::guideSecond(NavigationState& state) {
+  if (!second_) return;
+  auto& second = *state.second;
+  if (second.chosen)
+    second.guidance = guidance::evaluate(second.chosen->target, state.camera_T_mri, second.camera_T_coil,
+                                         tolerance_, second.chosen->predicted_error_mm, second_->previous);
+  const std::string loss = state.camera_T_mri ? secondCoilLossInWords(state) : lossInWords(state);
+  if (!loss.empty()) second.guidance.instruction = loss;
+  second_->previous = second.guidance;
+  if (second.chosen) withholdUncertain(*second.chosen, second.guidance);
 }
 
 }  // namespace facenav::session

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <thread>
 
-#include "facenav/core/latest_value.h"
 #include "facenav/core/log.h"
 
 namespace facenav::session {
@@ -24,11 +23,11 @@ struct Session::Implementation {
   SessionOptions options;
   std::unique_ptr<Recorder> recorder;
   LatestValue<ArrivedFrame> frames;
-  LatestValue<NavigationState> states;
+  std::shared_ptr<LatestValue<NavigationState>> states = std::make_shared<LatestValue<NavigationState>>();
   std::atomic<bool> is_stopping{false}, has_ended{false}, is_source_empty{false};
   mutable std::mutex mutex;  // guards the members below, up to `end`
   std::condition_variable stop_requested;
-  std::optional<std::optional<ChosenTarget>> new_target;
+  std::optional<std::optional<ChosenTarget>> new_target, new_second_target;
   std::optional<coil_tracking::CoilModel> new_coil;
   std::optional<bool> wanted_check;  // value: withhold the poses until the check passes
   std::optional<bool> is_judged_wrong;
@@ -67,12 +66,12 @@ void Session::Implementation::publishFailure() {
   takeListener();
   std::lock_guard lock(mutex);
   if (failure.empty()) return;
-  const auto last = states.latest();
+  const auto last = states->latest();
   NavigationState state = last ? *last : NavigationState{};
   state.failure = failure;
   state.arrived = Timestamp::now();
   const auto last_state = std::make_shared<NavigationState>(blanked(state, LostReason::camera));
-  states.publish(last_state);
+  states->publish(last_state);
   if (listener) listener(*last_state);
 }
 
@@ -137,6 +136,8 @@ void Session::Implementation::track() {
       std::lock_guard lock(mutex);
       if (new_target) navigator->setTarget(std::move(*new_target));
       new_target.reset();
+      if (new_second_target) navigator->setSecondTarget(std::move(*new_second_target));
+      new_second_target.reset();
       if (new_coil) navigator->setCoil(*new_coil);
       new_coil.reset();
       if (wanted_check) navigator->checkRegistration(*wanted_check);
@@ -150,7 +151,7 @@ void Session::Implementation::track() {
     state->latency_ms = (Timestamp::now() - next->arrived) * 1e3;
     state->dropped = frames.dropped();
     if (listener) listener(*state);
-    states.publish(std::move(state));
+    states->publish(std::move(state));
   }
 }
 
@@ -181,7 +182,7 @@ void Session::start() {
     s.requestStop();  // a fault in tracking also ends the capture
     s.publishFailure();
     s.noteEnd();
-    s.states.close();
+    s.states->close();
   });
 }
 
@@ -194,7 +195,7 @@ void Session::stop() {
 }
 
 std::shared_ptr<const NavigationState> Session::latest() const {
-  auto state = implementation_->states.latest();
+  auto state = implementation_->states->latest();
   if (!state) return std::make_shared<NavigationState>(blanked({}, LostReason::stale));
   // Factor on the age limit for pictures that arrive late, from a queue. Allows for a camera's usual delay,
   // below 0.1 s.
@@ -207,7 +208,11 @@ std::shared_ptr<const NavigationState> Session::latest() const {
 }
 
 std::shared_ptr<const NavigationState> Session::take(std::chrono::milliseconds timeout) {
-  return implementation_->states.take(timeout);
+  return implementation_->states->take(timeout);
+}
+
+std::shared_ptr<const LatestValue<NavigationState>> Session::states() const {
+  return implementation_->states;
 }
 
 bool Session::hasEnded() const { return implementation_->has_ended; }
@@ -226,6 +231,11 @@ double Session::elapsed_s() const {
 void Session::setTarget(std::optional<ChosenTarget> target) {
   std::lock_guard lock(implementation_->mutex);
   implementation_->new_target = std::move(target);
+}
+
+void Session::setSecondTarget(std::optional<ChosenTarget> target) {
+  std::lock_guard lock(implementation_->mutex);
+  implementation_->new_second_target = std::move(target);
 }
 
 void Session::setCoil(const coil_tracking::CoilModel& coil) {

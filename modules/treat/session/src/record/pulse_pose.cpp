@@ -50,6 +50,14 @@ std::string missingFrames(const std::optional<PosedFrame>& before, const std::op
   return {};
 }
 
+/// Reason why the frame has no pose of the pulse's coil; empty: it has, or there is no frame.
+std::string otherCoil(const PulseTrigger& trigger, const std::optional<PosedFrame>& frame,
+                      const std::optional<PosedFrame>& of_coil) {
+  if (!frame || of_coil) return {};
+  if (trigger.coil.empty()) return "it is not known which of the two coils gave it";
+  return "the coil '" + trigger.coil + "' was not followed";
+}
+
 std::optional<double> sourceTime_s(Timestamp at, const std::optional<PosedFrame>& before,
                                    const std::optional<PosedFrame>& after, double fraction) {
   if (before && after) return (1.0 - fraction) * before->captured.s + fraction * after->captured.s;
@@ -104,6 +112,7 @@ void describe(const PulseTrigger& trigger, const PosedFrame* known, casefile::Pu
   pulse.source = trigger.source;
   pulse.intensity_pct = trigger.intensity_pct;
   pulse.is_in_pause = trigger.is_in_pause;
+  pulse.coil = trigger.coil;
   if (!known) return;
   pulse.coil = known->coil;
   if (!known->chosen) return;
@@ -131,23 +140,46 @@ void place(const PosedFrame& before, const PosedFrame& after, const registration
 }  // namespace
 
 PosedFrame posedFrame(const NavigationState& state) {
-  PosedFrame posed{state.frame, state.captured,  state.taken,   {}, {}, state.chosen, state.tolerance,
-                   {},          state.coil_name, state.gap.live};
+  PosedFrame posed{state.frame, state.captured,  state.taken,    {}, {}, state.chosen, state.tolerance,
+                   {},          state.coil_name, state.gap.live, {}};
   if (state.camera_T_mri) posed.camera_T_mri = *state.camera_T_mri;
   if (state.camera_T_coil) posed.camera_T_coil = *state.camera_T_coil;
   if (!state.camera_T_mri || !state.camera_T_coil) posed.loss = titleOf(lossInWords(state));
+  if (!state.second) return posed;
+  PosedFrame second = posed;
+  second.coil = state.second->name;
+  second.chosen = state.second->chosen;
+  second.live.reset();
+  second.camera_T_coil.reset();
+  if (state.second->camera_T_coil) second.camera_T_coil = *state.second->camera_T_coil;
+  second.loss.clear();
+  if (!state.camera_T_mri)
+    second.loss = posed.loss;
+  else if (!state.second->camera_T_coil)
+    second.loss = titleOf(secondCoilLossInWords(state));
+  posed.second = std::make_shared<const PosedFrame>(std::move(second));
   return posed;
 }
 
-casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& before,
-                             const std::optional<PosedFrame>& after, const registration::ScalpField* scalp) {
+std::optional<PosedFrame> ofCoil(const std::optional<PosedFrame>& frame, const std::string& coil) {
+  if (!frame || frame->coil == coil) return frame;
+  if (coil.empty()) return frame->second ? std::nullopt : frame;
+  if (frame->second && frame->second->coil == coil) return *frame->second;
+  return std::nullopt;
+}
+
+casefile::Pulse pulseBetween(const PulseTrigger& trigger, const std::optional<PosedFrame>& earlier,
+                             const std::optional<PosedFrame>& later, const registration::ScalpField* scalp) {
+  const auto before = ofCoil(earlier, trigger.coil), after = ofCoil(later, trigger.coil);
   casefile::Pulse pulse;
-  const double between_s = before && after ? after->taken - before->taken : 0.0;
+  const double between_s = earlier && later ? later->taken - earlier->taken : 0.0;
   const double fraction =
-      between_s > 0 ? std::clamp((trigger.at - before->taken) / between_s, 0.0, 1.0) : 0.0;
-  pulse.t_s = sourceTime_s(trigger.at, before, after, fraction);
+      between_s > 0 ? std::clamp((trigger.at - earlier->taken) / between_s, 0.0, 1.0) : 0.0;
+  pulse.t_s = sourceTime_s(trigger.at, earlier, later, fraction);
   describe(trigger, before ? &*before : after ? &*after : nullptr, pulse);
-  pulse.reason = missingFrames(before, after);
+  pulse.reason = otherCoil(trigger, earlier, before);
+  if (pulse.reason.empty()) pulse.reason = otherCoil(trigger, later, after);
+  if (pulse.reason.empty()) pulse.reason = missingFrames(before, after);
   if (pulse.reason.empty()) {
     pulse.fraction = fraction;
     place(*before, *after, scalp, pulse);

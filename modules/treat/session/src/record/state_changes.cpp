@@ -24,6 +24,7 @@ void StateChanges::note(const NavigationState& state, casefile::SessionLog& log)
   }
   noteFoundOrLost(has_head_, state.camera_T_mri, "face", log);
   noteFoundOrLost(has_coil_, state.camera_T_coil, "coil", log);
+  noteSecond(state, log);
   noteFault(state, log);
   if (state.rig_correction && !has_corrected_) log.addEvent("camera moved", inWords(*state.rig_correction));
   has_corrected_ = state.rig_correction.has_value();
@@ -31,6 +32,15 @@ void StateChanges::note(const NavigationState& state, casefile::SessionLog& log)
     log.addEvent("registration check", inWords(*state.check));
     check_ = state.check->number;
   }
+}
+
+void StateChanges::noteSecond(const NavigationState& state, casefile::SessionLog& log) {
+  if (!state.second || state.frame < 0) return;
+  if (state.second->name != second_)
+    log.addEvent("second coil followed",
+                 state.second->name + formatted(", from frame %lld on", (long long)state.frame));
+  second_ = state.second->name;
+  noteFoundOrLost(has_second_, state.second->camera_T_coil, "second coil", log);
 }
 
 void StateChanges::noteFault(const NavigationState& state, casefile::SessionLog& log) {

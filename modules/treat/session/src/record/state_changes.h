@@ -17,12 +17,14 @@ class StateChanges {
   void note(const NavigationState& state, casefile::SessionLog& log);
 
  private:
+  void noteSecond(const NavigationState& state, casefile::SessionLog& log);
   void noteFault(const NavigationState& state, casefile::SessionLog& log);
 
   // Values of the previous state.
-  bool has_head_ = false, has_coil_ = false, has_faulted_ = false, has_corrected_ = false;
+  bool has_head_ = false, has_coil_ = false, has_second_ = false, has_faulted_ = false,
+       has_corrected_ = false;
   int check_ = 0;
-  std::string coil_;               // coil of the lines of poses.csv
+  std::string coil_, second_;      // coils of the lines of poses.csv and of poses_coil2.csv
   std::optional<Timestamp> away_;  // time since which a camera is away
 };
 

@@ -18,6 +18,7 @@
 #include "facenav/core/number_text.h"
 #include "facenav/core/without_folders.h"
 #include "follow_on.h"
+#include "second_coil_rows.h"
 #include "state_changes.h"
 #include "time_keeper.h"
 
@@ -116,6 +117,7 @@ void TreatmentLog::Implementation::write(const NavigationState& state) {
     times.follow(state, is_paused);
     if (!state.target.empty() && !is_paused)  // no guidance is given in a pause
       log.add(guidance::GuidanceRow{state.frame, t_s, state.target, state.guidance, state.gap});
+    logSecondCoil(state, is_paused, log);
   }
 }
 

@@ -39,6 +39,12 @@ class LatestValue {
     is_unread_ = false;
     return value_;
   }
+  /// Waits for another value than `seen`, without taking it; null on time-out.
+  Pointer newerThan(const Pointer& seen, std::chrono::milliseconds timeout) const {
+    std::unique_lock lock(mutex_);
+    const bool is_there = changed_.wait_for(lock, timeout, [&] { return value_ != seen; });
+    return is_there ? value_ : nullptr;
+  }
   void close() {
     {
       std::lock_guard lock(mutex_);
@@ -58,7 +64,7 @@ class LatestValue {
 
  private:
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  mutable std::condition_variable changed_;
   Pointer value_;
   bool is_unread_ = false;
   bool is_closed_ = false;

@@ -56,6 +56,15 @@ PoseRow poseRow(std::int64_t frame, double t_s, PoseObject object,
 std::string posesCsvHeader();
 /// Formats one line with its newline. The decimal point does not depend on the locale.
 std::string toCsvLine(const PoseRow& row);
+/// The same for the table of a second coil, which has the coil's name as its last column. Its `coil` rows are
+/// the second coil's, its `head` rows those of poses.csv, so that it is read like poses.csv.
+std::string secondCoilHeader(const std::string& header);
+std::string ofSecondCoil(const std::string& line, const std::string& coil);
+/// Path of the second coil's table beside the first one's: poses.csv -> poses_coil2.csv.
+std::filesystem::path secondCoilPath(const std::filesystem::path& path);
+/// Writes the whole file. Throws Error.
+void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path,
+                const std::string& second_coil);
 /// Writes the whole file. Throws Error.
 void writePoses(const std::vector<PoseRow>& rows, const std::filesystem::path& path);
 /// Reads poses.csv, with columns in any order; unknown ones are ignored. Throws Error naming file and line: a

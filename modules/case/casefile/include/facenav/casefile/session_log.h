@@ -1,7 +1,8 @@
 #pragma once
 // SessionLog: the files of a treatment session in sessions/<UTC time>/ of its case: poses.csv, guidance.csv
-// and events.jsonl, appended line by line. Each line goes to the operating system at once, so a crash of the
-// program loses none. Events, and everything at close, are also synced to the disk. One thread at a time.
+// and events.jsonl, appended line by line; with a second coil also poses_coil2.csv and guidance_coil2.csv.
+// Each line goes to the operating system at once, so a crash of the program loses none. Events, and
+// everything at close, are also synced to the disk. One thread at a time.
 
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,9 @@ class SessionLog {
   const std::filesystem::path& folder() const;
   void add(const PoseRow& row);
   void add(const guidance::GuidanceRow& row);
+  /// Adds lines of a second coil to its own tables, which the first line makes.
+  void addSecond(const PoseRow& row, const std::string& coil);
+  void addSecond(const guidance::GuidanceRow& row, const std::string& coil);
   /// Appends one line {"utc": .., "event": .., "detail": ..}. Must not contain a patient's name.
   void addEvent(const std::string& event, const std::string& detail = {});
   /// Makes the session's files again, with all their content, if its folder was removed. Returns false if

@@ -22,11 +22,17 @@ constexpr double kLargestSkew = 1e-2;
 /// Largest residual of a file's three head points on those of the case, mm (root mean square).
 constexpr double kLargestMisfit_mm = 8;
 
+/// Frame that two ears and the nasion make: origin in the middle between the ears, z upwards, and x to the
+/// nasion (y to the left ear) or to the right ear (y to the nasion).
+enum class HeadFrame { x_nasion, x_right };
+
 /// Answers of the user.
 struct Answers {
   std::optional<Space> space;  // ras or lps
   std::optional<Form> form;
+  std::optional<HeadFrame> head_frame;
   bool flips_handle = false;  // the file's handle points the other way: x and y are negated
+  bool keeps_handle = false;  // a doubtful handle is right as written
 };
 
 /// The case, as far as items are judged by it.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct Source {
   const T1* t1 = nullptr;      // of the case, for formats whose coordinates need it
 };
 
+/// Several files by their names in a folder, with '/' between folders, and the folder's T1.
+struct WrittenFolder {
+  std::map<std::string, std::string> files;
+  std::string t1_name;             // where the T1 belongs
+  std::vector<std::string> notes;  // what the format could not hold
+};
+
 /// What is written. Items have mri_T_coil or mri_place set.
 struct Order {
   std::vector<Item> items;
@@ -29,6 +37,7 @@ struct Order {
   std::string coil;      // its name; may be empty
   std::string software;  // "FaceNav 0.1.0"
   std::string utc;       // now, as 2026-11-23T14:05:09.123Z
+  std::string subject;   // label of the person, of formats that need one: letters and digits
 };
 
 struct Written {
@@ -41,7 +50,8 @@ struct Format {
   bool holds_pulses = false;           // beside targets, or in their place
   std::function<bool(const std::string& content)> recognises;  // nothing: is not read
   std::function<OtherFile(const Source&)> read;
-  std::function<Written(const Order&)> write;  // nothing: is not written
+  std::function<Written(const Order&)> write;                    // nothing: is not written as one file
+  std::function<WrittenFolder(const Order&)> write_folder = {};  // nothing: is not written as a folder
 };
 
 const std::vector<Format>& formats();
@@ -52,8 +62,11 @@ std::string namesOfWritten();
 
 /// Returns true if one of the formats recognises the content.
 bool isKnown(const std::string& content);
-/// Reads a file of any known format. Throws Error with one line: no such file, empty, too large, not
-/// recognised, damaged; or a format that is known but not read.
+/// Returns true if the file is an archive with a session or a data set of another program.
+bool isSessionArchive(const std::filesystem::path& path);
+/// Reads a file of any known format, a folder of one session or data set, or such an archive. Throws Error
+/// with one line: no such file, empty, too large, not recognised, damaged; a format that is known but not
+/// read; several files, sessions or people to choose from.
 OtherFile readOther(const std::filesystem::path& path, const T1* t1);
 /// Reads content that is already in memory. Throws as readOther does.
 OtherFile readOtherText(Source source);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -49,6 +50,7 @@ struct Item {
   std::string reason;                       // why there is no pose: "not tracked"
   std::string time;                         // as the file's clock says it; empty: unknown
   std::optional<double> clock_s;  // the same as seconds since 1970 of a clock that shows UTC; needs a date
+  std::optional<double> onset_s;  // since the start of its session, where there is no date
   std::string target, session;    // names, of a pulse
   std::optional<double> intensity_pct, didt_a_per_us, mep_uv;
   std::optional<Eigen::Vector3d> cortex_point_mm, scalp_point_mm;  // of a target, in the file's space
@@ -71,6 +73,11 @@ struct OtherFile {
   bool is_form_doubtful = false;          // the program that wrote it may have meant either form
   std::optional<QformNumbers> image;      // the NIfTI that the file belongs to
   std::optional<HeadPoints> head_points;  // in the file's coordinates, which are then of no T1
+  bool is_of_head_frame = false;      // its frame is that of nasion and ears, whose axes it does not state
+  bool is_handle_doubtful = false;    // y may point along the handle in place of away from it
+  std::string image_words;            // the T1 that it names, in its own words
+  std::filesystem::path intended_t1;  // the same, where it lies beside it
+  std::vector<std::filesystem::path> parts;  // files that were read, of a folder
   std::vector<Item> items;
   std::vector<std::string> notes;
 };

@@ -17,7 +17,8 @@ struct GroundTruth {
   RigidTransform<Camera, Mri> camera_T_mri;
   std::optional<RigidTransform<Camera, Marker>> camera_T_marker;  // empty if the coil is not in the room
   std::optional<RigidTransform<Camera, Coil>> camera_T_coil;
-  std::string label;                   // the event, in words
+  std::optional<RigidTransform<Camera, Marker>> camera_T_second_marker;  // of a second coil; empty: none
+  std::string label;                                                     // the event, in words
   double face_visible_fraction = 1.0;  // share of the face's skin that both cameras see, 0..1 (0 with a
                                        // camera fault or without the patient)
   bool is_patient_there = true;  // false: another person or no one is there; camera_T_mri is then meaningless

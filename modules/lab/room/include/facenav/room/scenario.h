@@ -24,7 +24,8 @@ struct ScenarioOptions {
   std::uint64_t seed = 1;
   double head_distance_mm = 600.0;  // from the cameras to the face
   double noise_grey = 1.5, blur_px = 0.6, exposure = 1.3, gamma = 1.0;
-  double motion = 1.0;                              // scales the scenario's head motion
+  double motion = 1.0;  // scales the scenario's head motion
+  int coils = 1;        // 2: "treatment" brings a second coil to the other side of the head
   double seat_turn_deg = 0.0, seat_shift_mm = 0.0;  // limits of the seat's random error
   double right_late_ms = 0.0;  // delay of the right camera's exposure; the truth is that of the left
   double rolling_ms = 0.0, exposure_ms = 0.0;  // rolling shutter: readout of a picture; exposure of a row
@@ -75,6 +76,8 @@ struct ScenarioOptions {
     visitor(Field{"exposure", "of both cameras", 0.01, 100}, self.exposure);
     visitor(Field{"gamma", "of the cameras' tone curve", 0.2, 5}, self.gamma);
     visitor(Field{"motion", "scales the head's motion", 0, 5}, self.motion);
+    visitor(Field{"coils", "treatment: 2: a second coil, marker id 8, is brought to the other side", 1, 2},
+            self.coils);
     visitor(Field{"seat_turn_deg", "the seed turns the seated patient by up to this, about any axis", 0, 60},
             self.seat_turn_deg);
     visitor(Field{"seat_shift_mm", "and shifts by up to this, in any direction", 0, 300}, self.seat_shift_mm);

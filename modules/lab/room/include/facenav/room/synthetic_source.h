@@ -40,6 +40,9 @@ class SyntheticSource : public capture::FrameSource {
   const GroundTruth& truth() const;
   DepthMaps depth() const;
   const RoomCoil& coil() const;
+  /// The second coil and its target; nothing: there is none (ScenarioOptions::coils).
+  const std::optional<RoomCoil>& secondCoil() const;
+  const std::optional<RigidTransform<Mri, frames::Target>>& secondTarget() const;
   const RigidTransform<Mri, frames::Target>& target() const;
 
  private:

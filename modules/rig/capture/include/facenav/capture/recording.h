@@ -52,7 +52,8 @@ class RecordingWriter {
   /// Sets the capture. An empty `pattern`: there is no projector; only the plain pair is written.
   void setCapture(const CapturePair& pair);
   void addTruth(std::int64_t frame, const std::optional<Eigen::Isometry3d>& camera_T_mri,
-                const std::optional<Eigen::Isometry3d>& camera_T_marker);
+                const std::optional<Eigen::Isometry3d>& camera_T_marker,
+                const std::optional<Eigen::Isometry3d>& camera_T_second_marker = {});
   /// The temporary folder (for additional files such as scenario.json).
   const std::filesystem::path& temporaryFolder() const;
   void close();

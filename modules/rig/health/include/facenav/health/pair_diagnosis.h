@@ -51,4 +51,16 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const std::optional<cv::Rect>& part = {});
 
+/// Cause of a face that is off its epipolar lines.
+enum class OffsetCause {
+  unknown,        // the room shows too few matches to tell
+  camera_moved,   // face and room are off by one motion of a camera
+  two_exposures,  // the room is on its lines: the head moved between the exposures
+};
+
+/// The cause by the room around the face, which stands still. `face`: in the left picture, px; body and hair
+/// around it do not count. Takes about 0.3 s.
+OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                          const cv::Rect& face);
+
 }  // namespace facenav::health

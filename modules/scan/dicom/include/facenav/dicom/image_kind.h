@@ -23,7 +23,8 @@ enum class ImageKind {
   density_map,
   field_map,  // B0 or B1
   other_map,
-  localizer
+  localizer,
+  annotated  // a derived image with marks or words drawn into its voxels
 };
 
 /// Name for users: "phase image", "T1 map", "localizer"; "magnitude image" for magnitude.
@@ -38,8 +39,9 @@ bool isWithoutSkin(ImageKind kind);
 /// True for a map of a physical quantity.
 bool isMap(ImageKind kind);
 
-/// Kind by the texts of the header. `image_type`: the values of Image Type or Frame Type, with Complex Image
-/// Component, separated by backslashes. A statement there outweighs `description`.
+/// Kind by the texts of the header; an annotated image is known by another attribute. `image_type`: the
+/// values of Image Type or Frame Type, with Complex Image Component, separated by backslashes. A statement
+/// there outweighs `description`.
 ImageKind kindOf(const std::string& image_type, const std::string& description);
 
 }  // namespace facenav::dicom

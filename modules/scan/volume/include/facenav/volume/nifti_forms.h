@@ -17,6 +17,8 @@ struct NiftiForms {
   std::optional<Eigen::Affine3d> sform, qform;  // voxel to world, mm; nothing where the code is 0
   std::array<double, 3> quatern{}, offset{};    // of the qform
   std::array<double, 4> pixdim{};               // pixdim[0]: qfac, 1 or -1
+  int values = 1;                               // of a voxel: product of all dimensions after the third
+  bool is_template_space = false;               // the map of `used` leads to a template, by its code
 };
 
 /// Reads the header only. Throws Error: no such file, not NIfTI-1, no 3-D grid, or as readNifti for its map.

@@ -21,7 +21,7 @@ struct FieldOnCortex {
   Eigen::Matrix3Xd field;  ///< at the cortex' vertices
   Eigen::Vector3d at_target = Eigen::Vector3d::Zero();
   CortexNormal normal;
-  double along_normal = 0;  ///< > 0: out of the cortex
+  double along_normal = 0;  ///< > 0: out of the cortex; no number where the model has no directions
   double peak = 0;
   Point<Mri> peak_place;
   double peak_distance_mm = 0;  ///< from the target's cortex point
@@ -52,11 +52,13 @@ struct FieldComparison {
 /// Compares two models of one head on its cortex, for a planned pose.
 FieldComparison compareModels(const HeadField& head, const HeadField& other, const FieldSurfaces& surfaces,
                               const efield::CoilDipoles& coil, const guidance::Target& target);
-/// Compares with a field of a .vtp or .msh file on the same cortex. `rate_A_per_us`: that of the imported
-/// field. Throws Error if its points do not lie on this cortex (half of them within 5 mm).
+/// Compares with a field of another program's file (imported_field.h), or a .vtp file, on the same cortex.
+/// `rate_A_per_us`: that of the imported field; `surface`: of values on a surface, its GIFTI file. Throws
+/// Error if its points do not lie on this cortex (half of them within 5 mm).
 FieldComparison compareField(const HeadField& head, const FieldSurfaces& surfaces,
                              const efield::CoilDipoles& coil, const guidance::Target& target,
-                             const std::filesystem::path& file, std::optional<double> rate_A_per_us);
+                             const std::filesystem::path& file, std::optional<double> rate_A_per_us,
+                             const std::filesystem::path& surface = {});
 
 /// Output that gives the target the strength that the hotspot had at the motor threshold, % of the maximal
 /// output; may exceed 100. Both with the same coil. For information; nothing is set.

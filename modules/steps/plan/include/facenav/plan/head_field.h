@@ -38,6 +38,10 @@ class HeadField {
   virtual std::string inWords() const = 0;
   /// Relative error of the field that is usual for this model, 0..1.
   virtual double usualError() const = 0;
+  /// False: only the strength is known, and the vectors' directions mean nothing.
+  virtual bool hasDirections() const { return true; }
+  /// False: the field is known on the cortex alone.
+  virtual bool fillsBrain() const { return true; }
   /// Field of a coil at points (3 x n, mm).
   virtual Eigen::Matrix3Xd at(const efield::CoilDipoles& coil, const CoilPose& mri_T_coil,
                               const Eigen::Matrix3Xd& points_mm) const = 0;
@@ -63,10 +67,13 @@ class ReadHead {
   bool isCurrent(const casefile::CaseStore& store) const;
   /// The model that headField chooses for a pose.
   std::unique_ptr<HeadField> near(const CoilPose& pose) const;
+  /// The field that was imported for a target's pose (imported_field.h). Throws Error if there is none.
+  std::unique_ptr<HeadField> imported(const guidance::Target& target) const;
   /// The kept model of the three shells; null: the case has none (pose_fields.h uses it).
   const std::shared_ptr<const KeptShells>& shells() const { return shells_; }
 
  private:
+  casefile::CaseStore store_;
   FieldSurfaces surfaces_;
   /// When the model's file was written, and its size; nothing without a file.
   using Stamp = std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;

@@ -80,4 +80,9 @@ ImportedItems importOthers(const casefile::CaseStore& store, const std::vector<P
 /// The case as items are judged by it. Throws Error for a case without an MRI.
 interop::CaseHead caseHead(const casefile::CaseStore& store);
 
+/// Judges items that came in another way than by a file; order.file names where from, order.t1 is ignored.
+/// `head`: caseHead() of the case.
+ImportPreview previewItems(const casefile::CaseStore& store, const interop::CaseHead& head,
+                           const OtherImport& order, interop::OtherFile items);
+
 }  // namespace facenav::steps

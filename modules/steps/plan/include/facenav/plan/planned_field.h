@@ -7,6 +7,7 @@
 #include "facenav/plan/best_pose.h"
 #include "facenav/plan/cortex_field.h"
 #include "facenav/plan/field_region.h"
+#include "facenav/plan/imported_field.h"
 #include "facenav/plan/threshold_dose.h"
 
 namespace facenav::steps {
@@ -28,6 +29,7 @@ struct WantedField {
   std::shared_ptr<const surface::TriangleMesh> drawn = {};  ///< null: nothing is drawn
   std::optional<guidance::Target> against = {};             ///< target whose pose is compared
   std::optional<HotspotThreshold> threshold = {};
+  std::optional<ImportedField> imported = {};  ///< shown in place of a computed field, whatever the coil
 };
 
 /// Fields in V/m at the rate.
@@ -35,7 +37,7 @@ struct PlannedField {
   FieldTier tier = FieldTier::local_sphere;
   double usual_error = 0;  ///< relative
   double rate_A_per_us = 1;
-  double at_target = 0, along_normal = 0;  ///< both > 0
+  double at_target = 0, along_normal = 0;  ///< both > 0; along_normal is no number without directions
   double peak = 0, peak_distance_mm = 0;
   Point<Mri> peak_place;
   std::optional<ThresholdDose> dose = {};  ///< if the threshold is given

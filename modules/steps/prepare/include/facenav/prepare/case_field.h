@@ -19,7 +19,8 @@ namespace facenav::steps {
 enum class FieldTier {
   local_sphere = 0,  // a sphere fitted to the skull under the coil; at once
   three_shells = 1,  // scalp, skull and brain of the case
-  four_shells = 2    // with the fluid round the brain
+  four_shells = 2,   // with the fluid round the brain
+  imported = 3       // computed by another program, for one pose alone
 };
 
 constexpr double kFourShells_s = 60;  ///< about how long building them takes on two cores

@@ -1,8 +1,8 @@
 #pragma once
 // TREAT: the field of the coil as it is held now, computed on a thread of its own at low priority, so that
-// tracking does not feel it. The newest pose wins; a pose that waits is overwritten. A field carries frame
-// and time of its pose: who shows it must not show it for another moment (mayBeShown). Fields in V/m at a
-// rate of the current of 1 A/us.
+// tracking does not feel it. The thread waits for the session's newest state by itself; poses that come while
+// it computes are left out. A field carries frame and time of its pose: who shows it must not show it for
+// another moment (mayBeShown). Fields in V/m at a rate of the current of 1 A/us.
 
 #include <functional>
 #include <memory>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "facenav/core/latest_value.h"
 #include "facenav/plan/pose_fields.h"
 #include "facenav/plan/threshold_dose.h"
 #include "facenav/session/navigation_state.h"
@@ -59,7 +60,7 @@ struct LiveField {
 };
 
 /// True if the field may be shown with this state: it is of this target, its pose is at most as old as a pose
-/// may be, and head and coil are tracked now.
+/// may be (or a little newer), and head and coil are tracked now.
 bool mayBeShown(const LiveField& field, const session::NavigationState& now);
 
 /// Share of the motor threshold's field in %: the live field at `output_pct` over the hotspot's at its
@@ -78,12 +79,11 @@ class LiveFieldWorker {
   void use(std::optional<LiveFieldSubject> subject);
   /// Wants the planned strength of this target; returns at once.
   void plan(const guidance::Target& target);
-  /// Wants the field of this pose; returns at once.
-  void ask(const LivePose& pose);
-  /// Drops the newest field, and the pose that waits: nothing of an earlier pose appears afterwards.
-  void forget();
+  /// Computes the field of each newest state from now on; null: of none. When the states change, the last
+  /// field is dropped at once, and nothing of the earlier states appears afterwards.
+  void follow(std::shared_ptr<const LatestValue<session::NavigationState>> states);
 
-  /// The newest field; null: none.
+  /// The newest field; null: none, or head or coil was lost or withheld since.
   std::shared_ptr<const LiveField> latest() const;
   /// The newest planned strength; null: none.
   std::shared_ptr<const PlannedStrength> planned() const;

@@ -1,6 +1,7 @@
 #pragma once
-// LiveOutputs: the outputs of a session (OpenIGTLink, OSC, JSON), opened and closed by their words at any
-// time. It outlives sessions, so that clients stay connected between them. All functions are thread-safe.
+// LiveOutputs: the outputs of a session (OpenIGTLink, OSC, JSON, LSL, InVesalius), opened and closed by their
+// words at any time. It outlives sessions, so that clients stay connected between them. All functions are
+// thread-safe.
 
 #include <filesystem>
 #include <memory>
@@ -15,8 +16,9 @@ namespace facenav::steps {
 
 class LiveOutputs {
  public:
-  /// Opens an output by its words. Throws Error if it cannot be opened, or is open already.
-  void open(const std::string& words);
+  /// Opens an output by its words. `incoming`: what an OpenIGTLink server takes from its clients. Throws
+  /// Error if it cannot be opened, or is open already.
+  void open(const std::string& words, const links::LiveIncoming& incoming = {});
   /// Closes the output of these words, or all; receivers are told that every pose is lost.
   void close(const std::string& words);
   void close();
@@ -39,6 +41,7 @@ class LiveOutputs {
 
   mutable std::mutex mutex_;
   std::filesystem::path case_folder_;
+  std::shared_ptr<const interop::InvesaliusSpace> image_;  // of the case's MRI
   Outputs outputs_;  // last: until they end, their threads may ask for content of the case
 };
 

@@ -2,11 +2,13 @@
 // TREAT: which spot of the cortex explains the muscle's MEPs, by the local field of each pulse's pose
 // (stimulation/field_regression.h), where hotspot.h goes by the coil's axis. Places in Mri.
 
+#include <string>
 #include <vector>
 
 #include "facenav/casefile/session_pulses.h"
 #include "facenav/plan/pose_fields.h"
 #include "facenav/stimulation/field_regression.h"
+#include "facenav/stimulation/response_curve.h"
 
 namespace facenav::steps {
 
@@ -21,11 +23,23 @@ struct MepByField {
   double region_mm = 0;   ///< 95 % of the resampled pulses' spots lie within this of `spot`
   int region_places = 0;  ///< number of different spots that resampled pulses have
   FieldTier tier = FieldTier::local_sphere;
+  /// Of the regression's response (uV, or the logarithm to base 10) against the field at the spot.
+  stimulation::ResponseCurve curve;
 };
 
 /// Maps the pulses that are not excluded. Only places are regressed that had at least 30 % of the session's
 /// largest field in some pulse. Throws Error as regressOnField does.
 MepByField mepByField(const PoseFields& fields, const casefile::SessionPulses& session,
                       const stimulation::FieldRegressionOptions& options = {});
+
+/// What was found, one finding a line, for command line and window; `coil`: as efield::fieldCoil takes it.
+std::vector<std::string> inWords(const MepByField& map, const std::string& coil);
+/// "a sigmoid describes the MEPs better than a line: ..", or why there is none.
+std::string curveWords(const MepByField& map);
+
+/// R2 of the regression at the vertices of a surface: that of the nearest place; no number where no place was
+/// regressed.
+std::vector<float> r2On(const surface::TriangleMesh& surface, const PoseFields& fields,
+                        const MepByField& map);
 
 }  // namespace facenav::steps

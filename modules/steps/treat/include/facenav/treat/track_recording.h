@@ -21,12 +21,17 @@ struct TrackRequest {
   std::string aligner, head_tracker, coil_tracker;  // registered names
   std::string target;                               // in the case; empty: no guidance
   bool keeps_key_frames = false;  // stores key frames of the face with the case, for the next session
-  head_tracking::Pace pace = head_tracking::Pace::patient;  // a recording may take longer than real time
+  head_tracking::Pace pace = head_tracking::Pace::patient;     // a recording may take longer than real time
+  std::optional<std::filesystem::path> second_coil_file = {};  // a second coil; nothing: none
+  std::string second_target = {};                              // its target in the case; empty: none
 };
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil
   std::optional<AlignmentOutcome> alignment;  // present if it was made from a capture pair
-  int head_tracked = 0, coil_tracked = 0, frames = 0;
+  /// The same two rows a frame with the second coil, and its name; empty without one.
+  std::vector<casefile::PoseRow> second_poses;
+  std::string second_coil;
+  int head_tracked = 0, coil_tracked = 0, second_tracked = 0, frames = 0;
   int rig_fault_frames = 0;  // frames in which every pose was refused because of a camera fault
   std::optional<health::RigVerdict> rig_fault;            // the last one; empty: none
   std::optional<health::CorrectedMotion> rig_correction;  // for a camera that moved on its mount; empty: none

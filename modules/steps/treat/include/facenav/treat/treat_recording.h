@@ -23,6 +23,14 @@ struct LiveCameras {
   std::function<void(const CamerasLearnt&)> keepLearnt;         // stores it at the end; may be null
 };
 
+/// Head and coil from another tracker, without cameras (served_tracker.h, tracker_alignment.h).
+struct OtherTracker {
+  std::string words;                // "igtl://HOST[:PORT]/NAME" of the coil
+  std::string head, second_coil;    // names of their poses at the same server; second_coil: may be empty
+  std::filesystem::path alignment;  // file
+  double seconds = 0;               // 0: without end
+};
+
 struct TreatRecordingRequest {
   std::filesystem::path recording, case_folder;
   std::optional<std::filesystem::path> coil_file;   // nothing: as in openTreatmentFilm
@@ -43,6 +51,14 @@ struct TreatRecordingRequest {
   std::shared_ptr<LiveOutputs> outputs = nullptr;  // where states and pulses are sent; null: nowhere
   /// Uses live cameras. The alignment is then the case's own, and guidance is withheld until it is checked.
   std::optional<LiveCameras> live = {};
+  std::optional<OtherTracker> other_tracker = {};              // in place of cameras and recording
+  std::optional<std::filesystem::path> second_coil_file = {};  // a second coil; nothing: none
+  std::string second_target = {};                              // its target; empty: none
+  CoilOfSource coil_of_source = {};
+
+  /// True if it goes on until it is ended, or for a time.
+  bool isLive() const { return live || other_tracker; }
+  double seconds() const { return live ? live->seconds : other_tracker ? other_tracker->seconds : 0; }
 };
 
 struct TreatRecordingOutcome {

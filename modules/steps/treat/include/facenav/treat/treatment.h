@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,17 @@ struct TreatmentFilm {
 /// Opens a recording. The coil is that of its coil.json, else the default one. Throws Error.
 TreatmentFilm openTreatmentFilm(const std::filesystem::path& folder);
 
+/// A second coil that is tracked and guided in the same session, by its own marker.
+struct SecondCoilChoice {
+  coil_tracking::CoilModel coil;
+  std::optional<session::ChosenTarget> target;  // its own; nothing: none
+};
+
+/// Coil that a source's pulses are given with, by the source's words ("udp:5005", "keyboard"). The empty word
+/// is any other source. Only for a session with two coils; a source that is not named here has to say it with
+/// each pulse.
+using CoilOfSource = std::map<std::string, std::string>;
+
 /// A clinician's decision to treat a case without a valid sign-off.
 struct SignOffOverride {
   std::string by, reason;
@@ -59,6 +71,11 @@ struct TreatmentRequest {
   std::string field_coil = kUsualFieldCoil;
   /// Called at the end with results to store with the rig; may be null. Runs on the thread of end().
   std::function<void(const CamerasLearnt&)> keepLearnt = nullptr;
+  std::optional<SecondCoilChoice> second = {};
+  CoilOfSource coil_of_source = {};
+  /// False: head and coil come from another tracker (served_tracker.h); there are no pictures.
+  bool has_cameras = true;
+  bool is_coil_served = false;  // true: the coil's pose comes from another tracker
 };
 
 /// Functions that open trackers and frames; a test replaces them.
@@ -120,6 +137,15 @@ class Treatment {
   /// if its marker is that of the coil in use, because a picture could not distinguish them.
   void chooseCoil(const coil_tracking::CoilModel& coil);
   const std::string& coilName() const { return coil_.name; }
+  /// Name of the second coil; empty: there is none.
+  std::string secondCoilName() const { return second_ ? second_->coil.name : std::string(); }
+  /// Sets the second coil's target; nothing: none. `name` is logged.
+  void chooseSecondTarget(const std::optional<session::ChosenTarget>& target, const std::string& name);
+  /// Sets a target of the case's current plan for the second coil. Throws Error if there is none of that
+  /// name.
+  void chooseSecondTargetNamed(const std::string& name);
+  /// True if it is known which coil a pulse of this source is given with.
+  bool knowsCoilOf(const std::string& source) const { return !second_ || !coilOf(source).empty(); }
 
   /// Adds a source of pulses, besides the keyboard. Faults of a source are logged as events. Throws Error,
   /// and adds none, if it cannot be opened.
@@ -132,7 +158,12 @@ class Treatment {
   /// Sends every state and pulse to these outputs from now on; null: to none.
   void sendTo(std::shared_ptr<LiveOutputs> outputs);
   /// Adds a pulse by the window's key or button, pressed at that time.
-  void pressPulse(Timestamp at = Timestamp::now()) { keyboard_.press(at); }
+  /// `coil`: name of the coil that gave it; empty: the source's (CoilOfSource).
+  void pressPulse(Timestamp at = Timestamp::now(), const std::string& coil = {}) {
+    keyboard_.press(at, coil);
+  }
+  /// Adds a pulse that another program reports; thread-safe.
+  void takePulse(const links::PulseTrigger& pulse) { listenerFor(pulse.source).pulse(pulse); }
   /// Sets the intensity of the next pulses whose source does not send it; % of the maximal output.
   void setIntensity(std::optional<double> intensity_pct);
   /// Pauses with a reason, or resumes. A pulse in a pause is kept, marked, and never on target.
@@ -167,10 +198,15 @@ class Treatment {
   links::PulseListener listenerFor(const std::string& source);
   void plan(const guidance::Target* target);
   void noteOtherCoil();
+  void noteSecond();
+  std::string coilOf(const std::string& source) const;
 
   std::filesystem::path case_folder_, session_folder_;
   cameras::StereoRig rig_;
   coil_tracking::CoilModel coil_;
+  std::optional<SecondCoilChoice> second_;
+  CoilOfSource coil_of_source_;
+  bool has_cameras_;
   std::optional<guidance::Target> target_;
   std::function<void(const CamerasLearnt&)> keepLearnt_;
   std::shared_ptr<const AlignmentOutcome> alignment_;

@@ -39,5 +39,9 @@ CoilCard readCoilCard(const std::filesystem::path& coil_json);
 std::string markerWords(const MarkerModel& marker);
 /// True if both coils have the same marker, so that a picture cannot distinguish them.
 bool shareMarker(const CoilModel& a, const CoilModel& b);
+/// Throws Error if both coils have the same marker.
+void requireOwnMarker(const CoilModel& a, const CoilModel& b);
+/// Throws Error if a session cannot tell two coils apart: they have the same marker, or one name.
+void requireTellable(const CoilModel& a, const CoilModel& b);
 
 }  // namespace facenav::coil_tracking

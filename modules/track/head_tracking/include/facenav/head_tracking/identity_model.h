@@ -14,7 +14,6 @@ struct IdentityModel {
   double identity_rigid_mm = 0.6;
   double identity_in_place = 0.15;
   double identity_least_in_place_px = 1.0;
-  int identity_fewest_windows = 60;
   double identity_own_mean = 0.8;
   double identity_own_sigma = 0.75;
   double identity_other_mean = -2.7;
@@ -35,8 +34,6 @@ struct IdentityModel {
             self.identity_in_place);
     visitor(kNotRecorded("identity_least_in_place_px", 0.2, 5, "px", "least such residual"),
             self.identity_least_in_place_px);
-    visitor(kNotRecorded("identity_fewest_windows", 10, 1000, "1", "windows in view for an answer at all"),
-            self.identity_fewest_windows);
     visitor(kOwn("identity_own_mean", -3, 5, "1", "logit of the patient's share of windows in place: mean"),
             self.identity_own_mean);
     visitor(kOwn("identity_own_sigma", 0.1, 3, "1",

@@ -12,7 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "facenav/links/live_order.h"
 #include "facenav/links/pulse_trigger.h"
+
+namespace facenav::interop {
+class InvesaliusSpace;
+}
 
 namespace facenav::links {
 
@@ -21,6 +26,7 @@ struct LivePose {
   std::string name;
   std::optional<Eigen::Isometry3d> pose;  // nothing: lost
   std::string status = "OK";              // a lost pose: "MISSING", "OUT_OF_VIEW", "INVALID"
+  std::string coil = {};                  // name of the coil whose pose it is; empty: the head's
 };
 
 /// Distance of the coil from its target.
@@ -36,6 +42,9 @@ struct LiveFrame {
   std::string instruction;     // in words
   std::string target;          // name; empty: none
   std::optional<LiveGuidance> guidance;
+  std::optional<Eigen::Isometry3d> mri_T_target;  // of the chosen target; nothing: none
+  /// Space of the case's image for InVesalius; null: not known.
+  std::shared_ptr<const interop::InvesaliusSpace> image;
 };
 /// Copy in which every pose is lost.
 LiveFrame withoutPoses(const LiveFrame& frame, const std::string& status);
@@ -71,8 +80,13 @@ class LiveOutput {
 ///   igtl[:[ADDRESS:]PORT]   an OpenIGTLink server (default: 127.0.0.1, port 18944; port 0: any free one)
 ///   osc:[HOST:]PORT         OSC bundles over UDP (default: to 127.0.0.1)
 ///   json:[HOST:]PORT        one line of JSON a datagram over UDP (default: to 127.0.0.1)
-/// `content` may be empty. Throws Error for other words, or a port that is in use.
-std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {});
+///   lsl[:STREAM]            an LSL stream of markers, pulses and changes of the state (default: FaceNav)
+///   invesalius:[HOST:]PORT[:robot=ADDRESS]  InVesalius's relay (default: on 127.0.0.1); with an address, its
+///                           program for robots is asked to connect to the robot there
+/// `content` may be empty. `incoming`: what an OpenIGTLink server takes from its clients; by default nothing.
+/// Throws Error for other words, or a port that is in use.
+std::unique_ptr<LiveOutput> openLiveOutput(const std::string& words, LiveContent content = {},
+                                           const LiveIncoming& incoming = {});
 /// Throws Error unless openLiveOutput would understand the words.
 void requireLiveOutput(const std::string& words);
 /// Lists the words, for help texts.

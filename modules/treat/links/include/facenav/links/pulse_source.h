@@ -36,18 +36,21 @@ class KeyboardSource : public PulseSource {
   std::string name() const override { return "keyboard"; }
   void start(PulseListener listener) override { listener_ = std::move(listener); }
   void stop() override { listener_ = {}; }
-  /// Adds a pulse that was pressed at that time, on the caller's thread. Does nothing while stopped.
-  void press(Timestamp at = Timestamp::now());
+  /// Adds a pulse that was pressed at that time, on the caller's thread. Does nothing while stopped. `coil`:
+  /// as in PulseTrigger.
+  void press(Timestamp at = Timestamp::now(), const std::string& coil = {});
 
  private:
   PulseListener listener_;
 };
 
 /// Opens the source that the words name:
-///   udp:[ADDRESS:]PORT, tcp:[ADDRESS:]PORT    JSON objects with "pulse": true, one a datagram or line
+///   udp:[ADDRESS:]PORT, tcp:[ADDRESS:]PORT    JSON objects with "pulse": true, one a datagram or line;
+///                                             "coil": NAME says which of two coils gave it
 ///   serial:DEVICE[:BAUD]                      each byte is a pulse (9600 baud)
 ///   serial:DEVICE:cts, serial:DEVICE:dsr      each rising edge of that line
-///   lsl[:STREAM]                              each sample of an LSL marker stream (default: any stream)
+///   lsl[:STREAM[:MARKER]]                     each sample of an LSL marker stream (default: any stream but
+///                                             FaceNav's own), or each one with this text
 ///   sound[:DEVICE]                            each click of the coil on an ALSA input (sound:hw:1,0;
 ///                                             default: "default")
 ///   sound:FILE.wav                            each click of the coil in a file, delivered in real time

@@ -18,6 +18,7 @@ struct PulseTrigger {
   double dead_time_s = 0.15;
   std::optional<double> intensity_pct = {};  // % of the maximal output, if the source sends it
   bool is_in_pause = false;                  // set by the session's log
+  std::string coil = {};                     // name of the coil that gave it; empty: the session's only one
 };
 
 }  // namespace facenav::links

@@ -8,7 +8,8 @@
 namespace facenav::session {
 
 /// Poses SubjectToTracker and Coil1ToTracker; with an alignment also SubjectToMri, CoilToMri and CoilToTarget
-/// (lost without a target). The time is that of the frame's capture, or of its playback.
+/// (lost without a target). Those of a second coil are Coil2ToTracker, Coil2ToMri and Coil2ToTarget. The time
+/// is that of the frame's capture, or of its playback.
 links::LiveFrame liveFrameOf(const NavigationState& state);
 
 }  // namespace facenav::session

@@ -36,6 +36,16 @@ constexpr double kMostErrorBound_mm = 5.0;
 /// it whether a coil is on target, else nothing.
 std::string tooUncertainInWords(const ChosenTarget& chosen);
 
+/// The second coil of a session at one frame; what it has in common with the first is in the state.
+struct SecondCoil {
+  std::string name;
+  Tracked<coil_tracking::CoilPose> coil = Lost{LostReason::stale};
+  Tracked<RigidTransform<Camera, Coil>> camera_T_coil = Lost{LostReason::stale};
+  std::shared_ptr<const ChosenTarget> chosen;  // its own target; null: none
+  std::optional<double> gap_mm;                // to the MRI's skin, by the poses; empty when lost
+  guidance::GuidanceState guidance;
+};
+
 struct NavigationState {
   std::int64_t frame = -1;  // -1: none yet
   Timestamp captured;       // the source's clock
@@ -51,9 +61,12 @@ struct NavigationState {
   cameras::ExposureOffset exposure_offset;      // between the cameras, as known at this frame
   std::array<double, 2> row_times_s{0.0, 0.0};  // rolling shutter, left and right camera; 0: none
 
-  bool is_aligned = false;  // false: camera_T_mri is never tracked
-  std::string target;       // name; empty: none chosen
-  std::string coil_name;    // name of the tracked coil, to which the pose of `coil` belongs
+  bool is_aligned = false;           // false: camera_T_mri is never tracked
+  std::string target;                // name; empty: none chosen
+  std::string coil_name;             // name of the tracked coil, to which the pose of `coil` belongs
+  std::optional<SecondCoil> second;  // a second coil, by its own marker; empty: none
+  bool is_head_served = false;       // the head's pose is another tracker's, not the cameras'
+  bool is_coil_served = false;       // likewise the coil's
   /// Copy of the target as it was at this frame; null: none.
   std::shared_ptr<const ChosenTarget> chosen;
   /// Gap between the contact face and the head, by both poses and by the cameras; empty when lost.
@@ -96,6 +109,8 @@ std::string lossInWords(const NavigationState& state);
 /// Message for head or coil alone, whatever the state of the other. Empty if it is tracked.
 std::string headLossInWords(const NavigationState& state);
 std::string coilLossInWords(const NavigationState& state);
+/// Message for the second coil alone. Empty if it is tracked, or there is none.
+std::string secondCoilLossInWords(const NavigationState& state);
 
 /// Titles of all lost objects, head first: "FACE COVERED", "COIL NOT SEEN". A common cause is named once.
 std::vector<std::string> lossTitles(const NavigationState& state);

@@ -31,6 +31,11 @@ struct NavigatorSetup {
   head_tracking::Pace pace = head_tracking::Pace::as_live;
   /// Key frames of the patient's face from earlier sessions; used if the head is placed in the MRI.
   std::vector<casefile::StoredKeyFrame> key_frames = {};
+  /// Head, or coil, are tracked by another tracker than the cameras (NavigationState). With a served head
+  /// there are no pictures.
+  bool is_head_served = false, is_coil_served = false;
+  /// A second coil that is tracked at once; whoever makes the navigator calls addSecondCoil with it.
+  std::optional<coil_tracking::CoilModel> second_coil = {};
 };
 
 /// Distance of the contact face's centre from the MRI's skin, > 0 outside; nothing where the skin is beyond
@@ -45,8 +50,15 @@ class Navigator {
             std::unique_ptr<coil_tracking::CoilTracker> coil);
 
   void setTarget(std::optional<ChosenTarget> target);
-  /// Sets the coil that is tracked from the next frame on. Throws Error as CoilTracker::start does.
+  /// Sets the coil that is tracked from the next frame on. Throws Error as CoilTracker::start does, and as
+  /// coil_tracking::requireTellable if there is a second coil.
   void setCoil(const coil_tracking::CoilModel& coil);
+  /// Tracks a second coil, too, from the next frame on, by its own marker. Throws likewise.
+  void addSecondCoil(const coil_tracking::CoilModel& coil,
+                     std::unique_ptr<coil_tracking::CoilTracker> tracker);
+  /// Sets the second coil's own target; nothing: none.
+  void setSecondTarget(std::optional<ChosenTarget> target);
+  bool hasSecondCoil() const { return second_.has_value(); }
   /// Replaces the watchdog made from the setup's scalp; null: no watchdog.
   void setWatchdog(std::unique_ptr<monitoring::DriftWatchdog> watchdog) {
     trust_.setWatchdog(std::move(watchdog));
@@ -72,16 +84,28 @@ class Navigator {
   NavigationState process(std::shared_ptr<const cameras::StereoFrame> frame);
 
  private:
+  struct Second {
+    coil_tracking::CoilModel model;
+    std::unique_ptr<coil_tracking::CoilTracker> tracker;
+    std::shared_ptr<const ChosenTarget> target;  // null: none
+    guidance::GuidanceState previous;
+    bool was_tracked = false;
+  };
+
   double track(const cameras::StereoFrame& frame, NavigationState& state);
+  coil_tracking::CoilResult trackCoils(const cameras::StereoFrame& frame,
+                                       const coil_tracking::CoilContext& context, NavigationState& state);
   void place(NavigationState& state) const;
   void judge(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void measureGap(const std::shared_ptr<const cameras::StereoFrame>& frame, NavigationState& state);
   void guide(NavigationState& state);
+  void guideSecond(NavigationState& state);
 
   cameras::StereoRig rig_;
   std::optional<RigidTransform<Head, Mri>> head_T_mri_;
-  RigidTransform<Marker, Coil> marker_T_coil_;
-  std::string coil_name_;
+  coil_tracking::CoilModel model_;
+  std::optional<Second> second_;
+  bool is_head_served_, is_coil_served_, was_coil_tracked_ = false;
   guidance::Tolerance tolerance_;
   monitoring::PoseTrust trust_;
   std::shared_ptr<monitoring::DriftCheck> drift_check_;     // null: none

@@ -25,6 +25,7 @@ struct PosedFrame {
   std::string loss;                                // what is lost: "face covered"; empty if nothing is
   std::string coil;                                // name of the tracked coil
   std::optional<guidance::LiveSurface> live = {};  // beside the coil
+  std::shared_ptr<const PosedFrame> second = {};   // the same with the second coil; null: there is none
 };
 PosedFrame posedFrame(const NavigationState& state);
 
@@ -37,6 +38,10 @@ constexpr double kLongestWait_s = 0.5;
 /// Limit of a pulse on target: gap to the skin beyond the planned one (centreGap_mm; 3 mm cost 12 % of the
 /// field, at 4 % a mm). The alignment's error is limited too (kMostErrorBound_mm).
 constexpr double kMostGapBeyondPlan_mm = 3.0;
+
+/// Returns the part of a frame that belongs to a pulse of this coil; nothing: that coil is not tracked. An
+/// empty name is the only coil's; with two coils it is none's, because it is not known which gave the pulse.
+std::optional<PosedFrame> ofCoil(const std::optional<PosedFrame>& frame, const std::string& coil);
 
 /// Computes the pulse, without its number. `before`: the last frame taken at or before the pulse, `after`:
 /// the first one later; nothing if there is none. Lost if either frame is missing or has lost head or coil,

@@ -11,6 +11,7 @@
 
 #include "facenav/capture/frame_source.h"
 #include "facenav/core/field.h"
+#include "facenav/core/latest_value.h"
 #include "facenav/session/navigator.h"
 #include "facenav/session/recorder.h"
 
@@ -49,6 +50,8 @@ class Session {
   std::shared_ptr<const NavigationState> latest() const;
   /// Waits for a state that was not taken before; null on time-out or at the end. Not blanked.
   std::shared_ptr<const NavigationState> take(std::chrono::milliseconds timeout);
+  /// The states as they are published, not blanked, for another thread to wait for. They outlive the session.
+  std::shared_ptr<const LatestValue<NavigationState>> states() const;
   /// True once the source has ended and its last frame was tracked, or a fault stopped the session.
   bool hasEnded() const;
   /// Reason why it ended; a later stop does not change it.
@@ -56,6 +59,8 @@ class Session {
   /// Time from start() until the end, or until now, s; 0 before.
   double elapsed_s() const;
   void setTarget(std::optional<ChosenTarget> target);
+  /// Calls Navigator::setSecondTarget, from the next frame on.
+  void setSecondTarget(std::optional<ChosenTarget> target);
   /// Calls `listener` with every state, from the next frame on, and with that of a failure. It runs on the
   /// tracking thread and must return at once. Empty: none.
   void follow(std::function<void(const NavigationState&)> listener);
