@@ -204,7 +204,6 @@ void refuseIdleSession(const CLI::App& verb, const std::vector<std::string>& sta
   refuseIdle(verb, options, starters);
   refuseIdle(verb, {"--seconds"}, {"--live", "--tracker-head"});
 }
-}
 
 steps::TreatRecordingOutcome runSession(const SessionVerb& verb, Context& context) {
   if (verb.case_folder.empty())

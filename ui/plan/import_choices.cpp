@@ -49,12 +49,21 @@ ImportChoices::ImportChoices(ImportPresenter& presenter, QWidget* parent)
   grid->addWidget(importLabel(tr("&Form"), form_, this), 1, 2);
   grid->addWidget(form_, 1, 3);
   makeT1(*grid, 2);
-  flips_ = new QCheckBox(tr("&Handle points the other way"), this);
-  flips_->setToolTip(tr("turns the file's coils by 180 degrees about their axis"));
+  handle_ = new QComboBox(this);
+  handle_->addItems({tr("as the format says"), tr("as written"), tr("the other way")});
+  handle_->setToolTip(
+      tr("where the handles point; the other way turns the coils by 180 degrees about their axis"));
+  frame_ = new QComboBox(this);
+  frame_->addItems({tr("not said"), tr("x to the nasion"), tr("x to the right ear")});
+  frame_->setToolTip(
+      tr("of coordinates that lie between the ears; the file does not say which way x points"));
   replaces_ = new QCheckBox(tr("Re&place"), this);
   replaces_->setToolTip(tr("targets of the same name with another pose; locked ones stay"));
-  grid->addWidget(flips_, 3, 0, 1, 2);
-  grid->addWidget(replaces_, 3, 2, 1, 2);
+  grid->addWidget(importLabel(tr("&Handle"), handle_, this), 3, 0);
+  grid->addWidget(handle_, 3, 1);
+  grid->addWidget(importLabel(tr("Head fra&me"), frame_, this), 3, 2);
+  grid->addWidget(frame_, 3, 3);
+  grid->addWidget(replaces_, 4, 2, 1, 2);
   clock_ = new QDoubleSpinBox(this);
   clock_->setRange(-kFarthestZone_h, kFarthestZone_h);
   clock_->setDecimals(2);
@@ -82,8 +91,16 @@ void ImportChoices::connectAnswers() {
       if (i > 0) order.answers.form = i == 1 ? interop::Form::sform : interop::Form::qform;
     });
   });
-  connect(flips_, &QCheckBox::toggled, this,
-          [this](bool is_on) { answer([is_on](auto& order) { order.answers.flips_handle = is_on; }); });
+  connect(handle_, QOverload<int>::of(&QComboBox::activated), this, [this](int i) {
+    answer([i](auto& order) { order.answers.keeps_handle = i == 1, order.answers.flips_handle = i == 2; });
+  });
+  connect(frame_, QOverload<int>::of(&QComboBox::activated), this, [this](int i) {
+    answer([i](auto& order) {
+      order.answers.head_frame.reset();
+      if (i > 0)
+        order.answers.head_frame = i == 1 ? interop::HeadFrame::x_nasion : interop::HeadFrame::x_right;
+    });
+  });
   connect(replaces_, &QCheckBox::toggled, this,
           [this](bool is_on) { answer([is_on](auto& order) { order.replaces = is_on; }); });
   connect(clock_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
@@ -136,7 +153,10 @@ void ImportChoices::showAnswers() {
   t1_->set(file.order.t1.empty() ? tr("the case's own")
                                  : QString::fromStdString(file.order.t1.filename().string()));
   own_t1_->setEnabled(!file.order.t1.empty());
-  flips_->setChecked(answers.flips_handle);
+  handle_->setCurrentIndex(answers.keeps_handle ? 1 : answers.flips_handle ? 2 : 0);
+  frame_->setCurrentIndex(!answers.head_frame                                   ? 0
+                          : *answers.head_frame == interop::HeadFrame::x_nasion ? 1
+                                                                                : 2);
   replaces_->setChecked(file.order.replaces);
   clock_->setValue(file.order.utc_offset_h);
   const auto& items = file.preview.items;

@@ -1,6 +1,6 @@
 #pragma once
 // ImportChoices: what a file of another program leaves open: its space, the form and the T1 that it means,
-// its handle, equal names, its clock.
+// its handle, its frame between the ears, equal names, its clock.
 
 #include <QFrame>
 
@@ -34,10 +34,10 @@ class ImportChoices : public QFrame {
   ImportPresenter& presenter_;
   int file_ = -1;
   QLabel *heading_, *clock_words_;
-  QComboBox *space_, *form_;
+  QComboBox *space_, *form_, *handle_, *frame_;
   ElidedLabel* t1_;
   QPushButton *choose_t1_, *own_t1_;
-  QCheckBox *flips_, *replaces_;
+  QCheckBox* replaces_;
   QDoubleSpinBox* clock_;
   bool is_showing_ = false;
 };

@@ -114,7 +114,8 @@ class TreatPresenter : public QObject {
   QString pulseSource() const { return pulse_source_; }
   /// Sends the poses of this session and the next ones to outputs as links::openLiveOutput reads them, with
   /// blanks or commas between them; empty: nowhere. Those that are open stay so. Not remembered. Returns
-  /// false, after refused(), if one cannot be opened. `accepts`: takes targets and commands from clients, too.
+  /// false, after refused(), if one cannot be opened. `accepts`: takes targets and commands from clients,
+  /// too.
   bool sendTo(const QString& words, bool accepts = false);
   /// Obeys what clients sent to a running session since the last call. Returns the newest line about it;
   /// empty if nothing came.

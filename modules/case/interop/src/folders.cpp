@@ -83,6 +83,15 @@ OtherFile readSet(const fs::path& path, const T1* t1) {
   return readOnlyFile(files, t1);
 }
 
+bool holdsSet(const fs::path& path) {
+  try {
+    const FileSet files(path);
+    return isNavinibsSession(files) || isLocaliteSession(files) || !nibsMarkers(files).empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 OtherFile readFileSet(const fs::path& path, const T1* t1) { return finished(readSet(path, t1), path); }
@@ -91,12 +100,9 @@ bool isSessionArchive(const fs::path& path) {
   char start[2] = {};
   if (!std::ifstream(path, std::ios::binary).read(start, sizeof start)) return false;
   if (start[0] != 'P' || start[1] != 'K') return false;
-  try {
-    const FileSet files(path);
-    return isNavinibsSession(files) || isLocaliteSession(files) || !nibsMarkers(files).empty();
-  } catch (const Error&) {
-    return false;
-  }
+  return holdsSet(path);
 }
+
+bool isSessionFolder(const fs::path& path) { return fs::is_directory(path) && holdsSet(path); }
 
 }  // namespace facenav::interop

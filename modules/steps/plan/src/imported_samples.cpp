@@ -126,6 +126,7 @@ efield::FieldSamples samplesOf(const FieldImage& image, const std::vector<Eigen:
 }  // namespace
 
 FieldFile fieldFileOf(const fs::path& file) {
+  if (fs::is_directory(file)) return FieldFile::other;
   const std::string start = startOf(file);
   if (start.compare(0, 11, "$MeshFormat") == 0 || start.compare(0, 9, "$Comments") == 0)
     return FieldFile::msh;

@@ -62,11 +62,12 @@ DroppedFiles filesIn(const fs::path& folder) {
 
 DroppedFiles filesAt(const fs::path& path) {
   try {
+    if (interop::isSessionFolder(path)) return {{path}, false};
     if (fs::is_directory(path)) return filesIn(path);
     if (!fs::is_regular_file(path)) return {};
     const std::string start = startOf(path);
     if (isScan(path, start)) return {{}, true};
-    if (isOther(path, start)) return {{path}, false};
+    if (interop::isSessionArchive(path) || isOther(path, start)) return {{path}, false};
   } catch (const std::exception&) {  // unreadable: none of these
   }
   return {};

@@ -64,6 +64,8 @@ std::string namesOfWritten();
 bool isKnown(const std::string& content);
 /// Returns true if the file is an archive with a session or a data set of another program.
 bool isSessionArchive(const std::filesystem::path& path);
+/// Returns true if the folder is a session or a data set of another program, which is read as a whole.
+bool isSessionFolder(const std::filesystem::path& path);
 /// Reads a file of any known format, a folder of one session or data set, or such an archive. Throws Error
 /// with one line: no such file, empty, too large, not recognised, damaged; a format that is known but not
 /// read; several files, sessions or people to choose from.
