@@ -188,7 +188,8 @@ TEST_F(ImportWindows, EveryMadeFileReadsWellInItsOwnHead) {
   open(madeHead());
   for (const auto& entry : fs::directory_iterator(kMade)) {
     const std::string file = entry.path().filename().string();
-    if (file.find("t1_") == 0 || file.find("truth") == 0) continue;
+    const bool is_part = file.find("sub-01_") == 0;  // of a data set, which is read as a folder
+    if (file.find("t1_") == 0 || file.find("truth") == 0 || is_part) continue;
     window_->take({QString::fromStdString(entry.path().string())});
     auto* shown = preview();
     ASSERT_TRUE(shown && shown->isVisible()) << file << ": " << message().toStdString();

@@ -92,7 +92,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   task_bar_->showMessage(tr("Drop DICOM folders, NIfTI files or a case anywhere."), false);
 }
 
-MainWindow::~MainWindow() = default;
+/// Pages that are hidden still ask their presenters, which end before the pages do.
+MainWindow::~MainWindow() { hide(); }
 
 void MainWindow::connectWords() {
   connect(&model_, &CaseModel::opened, this, &MainWindow::showCaseWords);
