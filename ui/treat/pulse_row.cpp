@@ -15,7 +15,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLastPulse_px = 29;  // the style sheet's 22 pt
+constexpr int kLastPulse_px = 30;  // a line of the style sheet's 22 pt
 
 /// The first two reasons, and how many more there are: two lines at most. The tool tip has all.
 QString shortReason(const std::string& reason) {
@@ -60,7 +60,8 @@ PulseRow::PulseRow(TreatPresenter& treat, SessionSounds& sounds, QWidget* parent
   last_pulse_->setObjectName("last_pulse");
   makeNarrow(*last_pulse_);  // a pulse outside is told whole, in two lines if need be
   column->addLayout(row);
-  column->addWidget(counts_);  // a line of its own, always there: beside the time it would be cut
+  counts_->hide();
+  column->addWidget(counts_);  // a line of its own: beside the time it would be cut
   column->addWidget(last_pulse_);
   // Uses pressed, not clicked: a pulse's time is when the key goes down. A button's own shortcut clicks 0.1 s
   // later.
@@ -81,6 +82,7 @@ void PulseRow::refresh() {
   if (words != pulses_->text()) pulses_->set(words);
   const QString counts = time.isEmpty() ? QString() : countWords();
   if (counts != counts_->text()) counts_->set(counts);
+  counts_->setVisible(!counts.isEmpty());  // no room for it while every pulse is on target
   time_->setText(time);
   pulse_->setEnabled(treat_.isRunning());
   showLastPulse();
