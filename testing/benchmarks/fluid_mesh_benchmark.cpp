@@ -27,7 +27,7 @@ constexpr double kInside_mm = 2;  // of the points within both surfaces: nearer 
 constexpr double kReach_mm = 60;
 constexpr std::size_t kMostPoints = 1500;
 
-/// The same surface with each triangle divided into four.
+/// Returns the same surface with each triangle divided into four.
 efield::ShellMesh divided(const efield::ShellMesh& mesh) {
   std::vector<Vector3d> vertices;
   for (Eigen::Index i = 0; i < mesh.vertices_mm.cols(); ++i) vertices.emplace_back(mesh.vertices_mm.col(i));

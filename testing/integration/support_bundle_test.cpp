@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// In lower case; each is planted in several places.
+/// They are in lower case; each is planted in several places.
 const std::vector<std::string> kPlanted{"quirrelmann",  "zaphod", "geheim77",     "praxis",
                                         "192.168.77.5", "4711xy", "beeblebrox",   "fordprefect",
                                         "heiligenberg", "müller", "ada lovelace", "fe80::77"};

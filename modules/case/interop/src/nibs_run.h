@@ -1,5 +1,6 @@
 #pragma once
-// One run of NIBS-BIDS: what the side files of its markers.tsv say of units and strengths, and when it began.
+// Reads one run of NIBS-BIDS: what the side files of its markers.tsv say of units and strengths, and when it
+// began.
 
 #include <map>
 #include <optional>

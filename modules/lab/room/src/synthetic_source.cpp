@@ -53,7 +53,7 @@ RoomCoil coilFor(const ScenarioOptions& options, const VirtualPatient& patient,
                      {rig, cameraFromRoom(rig, options.rig.roll_deg), seatedHead(options, patient)});
 }
 
-/// The same pose on the other side of the head.
+/// Returns the same pose on the other side of the head.
 std::optional<RigidTransform<Mri, frames::Target>> secondTargetOf(
     const ScenarioOptions& options, const VirtualPatient& patient,
     const RigidTransform<Mri, frames::Target>& target) {

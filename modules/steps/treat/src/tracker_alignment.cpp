@@ -79,7 +79,7 @@ void fitPoints(TrackerAlignment& alignment, const JsonReader& json) {
   } catch (const Error& fault) {
     json.refuse(fault.what());
   }
-  // Of N points with an error of e each, the fit leaves e sqrt(1 - 2 / N) (Fitzpatrick, West 2001).
+  // The fit of N points, each with an error of e, leaves e sqrt(1 - 2 / N) (Fitzpatrick, West 2001).
   const double expected_mm = alignment.error_mm * std::sqrt(1 - 2 / double(alignment.points.size()));
   if (fit.rms_mm > kMostResidual * expected_mm)
     json.refuse(

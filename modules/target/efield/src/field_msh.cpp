@@ -133,7 +133,7 @@ FieldSamples samplesOn(const Msh& mesh, const FoundField& field, const Ids& elem
   return collected.samples();
 }
 
-/// On the grey matter's surface if it has values, else in its volume, else all.
+/// Takes the grey matter's surface if it has values, else its volume, else all.
 FieldSamples greySamples(const Msh& mesh, const FoundField& field, const std::filesystem::path& path) {
   for (const Ids& ids : {trianglesOf(mesh, kGreySurface), tetrahedraOf(mesh, {kGreyVolume})}) {
     if (ids.empty()) continue;

@@ -21,19 +21,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::refusalOf;
 
-class CoilFileTest : public ::testing::Test {
- protected:
-  std::filesystem::path write(const std::string& name, const std::string& content) const {
-    const auto path = folder_.path() / name;
-    std::ofstream(path, std::ios::binary) << content;
-    return path;
-  }
-  std::string refusal(const std::string& name, const std::string& content) const {
-    const auto path = write(name, content);
-    return refusalOf([&] { readCoilSource(path); });
-  }
-  testing::TemporaryFolder folder_;
-};
+class CoilFileTest : public CoilFiles {};
 
 std::string listOf(const Eigen::Matrix3Xd& values) {
   std::string text = "[";

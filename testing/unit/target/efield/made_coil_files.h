@@ -1,11 +1,18 @@
 #pragma once
 // Files of a coil, made from its dipoles.
 
+#include <gtest/gtest.h>
+
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
+#include "facenav/efield/coil_file.h"
 #include "facenav/efield/coil_source.h"
+#include "support/refusal.h"
+#include "support/test_data.h"
 
 namespace facenav::efield {
 
@@ -69,5 +76,20 @@ inline PotentialGrid sampled(const CoilDipoles& coil, double spacing_mm) {
   grid.potential_Tm = potentialOf(coil, points);
   return grid;
 }
+
+/// Test that writes a coil's file into a folder of its own, and reads it.
+class CoilFiles : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    const auto path = folder_.path() / name;
+    std::ofstream(path, std::ios::binary) << content;
+    return path;
+  }
+  std::string refusal(const std::string& name, const std::string& content) const {
+    const auto path = write(name, content);
+    return facenav::testing::refusalOf([&] { readCoilSource(path); });
+  }
+  facenav::testing::TemporaryFolder folder_;
+};
 
 }  // namespace facenav::efield

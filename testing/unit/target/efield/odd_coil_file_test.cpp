@@ -8,30 +8,15 @@
 #include "facenav/efield/built_in_coils.h"
 #include "facenav/efield/coil_file.h"
 #include "facenav/efield/thinned_coil.h"
-#include "support/refusal.h"
-#include "support/test_data.h"
 #include "unit/target/efield/made_coil_files.h"
 
 namespace facenav::efield {
 namespace {
 
-using facenav::testing::refusalOf;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class OddCoilFileTest : public ::testing::Test {
- protected:
-  std::filesystem::path write(const std::string& name, const std::string& content) const {
-    const auto path = folder_.path() / name;
-    std::ofstream(path, std::ios::binary) << content;
-    return path;
-  }
-  std::string refusal(const std::string& name, const std::string& content) const {
-    const auto path = write(name, content);
-    return refusalOf([&] { readCoilSource(path); });
-  }
-  facenav::testing::TemporaryFolder folder_;
-};
+class OddCoilFileTest : public CoilFiles {};
 
 TEST_F(OddCoilFileTest, OneCoilAsDipolesAndAsACompressedGridAgrees) {
   const auto by_dipoles = fieldCoil(write("d70.ccd", ccdOf(figureEight70())).string());

@@ -62,7 +62,7 @@ struct SessionLog::Implementation {
   fs::path folder;
   AppendedFile events;
   AppendedTable poses, guidance;
-  // Of a second coil; null: it has no line yet.
+  // These belong to a second coil. Null: it has no line yet.
   std::unique_ptr<AppendedTable> second_poses, second_guidance;
 
   AppendedTable& second(std::unique_ptr<AppendedTable>& table, const char* first, const std::string& header) {

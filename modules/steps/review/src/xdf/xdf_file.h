@@ -38,7 +38,7 @@ struct XdfStream {
   bool isText() const { return format == "string"; }
 };
 
-/// One channel of a stream. A sample without a stamp follows the one before it at the stream's rate.
+/// Holds one channel of a stream. A sample without a stamp follows the one before it at the stream's rate.
 struct XdfSeries {
   std::vector<float> values;
   struct Stamp {

@@ -51,7 +51,7 @@ struct MshElement {
   std::array<int, 4> nodes{};  // ids
 };
 
-/// One block of data, on nodes or elements.
+/// Holds one block of data, on nodes or elements.
 struct MshData {
   int components = 0;
   ById<Eigen::Vector3d> values;

@@ -56,8 +56,9 @@ PoseRow poseRow(std::int64_t frame, double t_s, PoseObject object,
 std::string posesCsvHeader();
 /// Formats one line with its newline. The decimal point does not depend on the locale.
 std::string toCsvLine(const PoseRow& row);
-/// The same for the table of a second coil, which has the coil's name as its last column. Its `coil` rows are
-/// the second coil's, its `head` rows those of poses.csv, so that it is read like poses.csv.
+/// Makes header and lines of a second coil's table from those above. It has the coil's name as its last
+/// column. Its `coil` rows are the second coil's, its `head` rows those of poses.csv, so that it is read like
+/// poses.csv.
 std::string secondCoilHeader(const std::string& header);
 std::string ofSecondCoil(const std::string& line, const std::string& coil);
 /// Path of the second coil's table beside the first one's: poses.csv -> poses_coil2.csv.

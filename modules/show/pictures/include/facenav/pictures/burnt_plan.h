@@ -30,7 +30,7 @@ struct PlanMask {
   bool is_coil = false;
 };
 
-/// For each target a ball of 5 mm round its cortex point, and the outline, handle and axis of its coil.
+/// Makes for each target a ball of 5 mm round its cortex point, and the outline, handle and axis of its coil.
 std::vector<PlanMask> planMasks(const volume::VoxelGrid& grid, const std::vector<guidance::Target>& targets,
                                 const guidance::CoilPlate& plate);
 

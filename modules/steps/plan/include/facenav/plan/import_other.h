@@ -50,7 +50,7 @@ struct ImportPreview {
 /// without an MRI.
 ImportPreview previewImport(const casefile::CaseStore& store, const OtherImport& order);
 
-/// One of several files that are taken together.
+/// Holds one of several files that are taken together.
 struct PreviewedFile {
   OtherImport order;
   ImportPreview preview;

@@ -27,7 +27,7 @@ struct OfferedTarget {
   std::string refusal() const;
 };
 
-/// One line for people about what a client sent.
+/// Tells people in one line what a client sent.
 struct OrderNews {
   std::string words;
   std::string offered;  // name of a target that can be taken; empty: none

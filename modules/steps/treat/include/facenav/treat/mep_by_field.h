@@ -23,7 +23,7 @@ struct MepByField {
   double region_mm = 0;   ///< 95 % of the resampled pulses' spots lie within this of `spot`
   int region_places = 0;  ///< number of different spots that resampled pulses have
   FieldTier tier = FieldTier::local_sphere;
-  /// Of the regression's response (uV, or the logarithm to base 10) against the field at the spot.
+  /// It relates the regression's response (uV, or the logarithm to base 10) to the field at the spot.
   stimulation::ResponseCurve curve;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 // Poses of the coil, and of the head, from another tracker by OpenIGTLink instead of the cameras
 // (links/igtl_client.h). With the head from the cameras it must be known how that tracker stands to them.
-// With both from the other tracker there are no cameras: Camera is then that tracker's frame, Head its tool
-// on the head, and an alignment from a file ties the head to the MRI (tracker_alignment.h).
+// If both come from the other tracker there are no cameras: Camera is then that tracker's frame, Head its
+// tool on the head, and an alignment from a file ties the head to the MRI (tracker_alignment.h).
 
 #include <filesystem>
 #include <memory>

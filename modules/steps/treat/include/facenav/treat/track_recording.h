@@ -28,7 +28,7 @@ struct TrackRequest {
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil
   std::optional<AlignmentOutcome> alignment;  // present if it was made from a capture pair
-  /// The same two rows a frame with the second coil, and its name; empty without one.
+  /// Rows of the second coil: two a frame as above, and its name. Empty without one.
   std::vector<casefile::PoseRow> second_poses;
   std::string second_coil;
   int head_tracked = 0, coil_tracked = 0, second_tracked = 0, frames = 0;

@@ -20,7 +20,7 @@ struct TouchedPoint {
 
 struct TrackerAlignment {
   RigidTransform<Mri, Head> mri_T_subject;  // Head = Subject
-  /// As stated: root mean square error (in space) of a place on the head, or of each touched point.
+  /// The file states it: root mean square error (in space) of a place on the head, or of each touched point.
   double error_mm = 0;
   std::vector<TouchedPoint> points;        // empty: the pose itself is in the file
   double rms_mm = 0;                       // residual of the points
