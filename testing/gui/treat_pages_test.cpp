@@ -75,7 +75,8 @@ TEST_F(TreatPages, EverythingIsInReachAndAPulseOutsideIsSaid) {
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().pulseCounts().outside == 1; }));
   EXPECT_TRUE(fixtures::waitFor([&] { return verdict->property("is_bad").toBool(); }));
   auto *pulses = treat->findChild<QLabel*>("session"), *counts = treat->findChild<QLabel*>("pulse_counts");
-  EXPECT_EQ(pulses->text().toStdString(), "pulses 2");
+  EXPECT_TRUE(fixtures::waitFor([&] { return pulses->text() == "pulses 2"; }))
+      << pulses->text().toStdString();
   EXPECT_EQ(counts->text().toStdString(), "1 on target, 1 outside");
   for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1480, 860), QSize(1920, 1080)}) {
     window.resize(size);
