@@ -72,6 +72,10 @@ class CascadeDetector : public FaceDetector {
     return face;
   }
 
+  std::vector<FaceLandmarks> readings(const cv::Mat& grey, const FaceLandmarks& found) const override {
+    return landmarkReadings(*landmarks_, grey, found);
+  }
+
  private:
   std::optional<DetectedFace> search(const cv::Mat& grey, double roll_rad, double scale, double smallest_px,
                                      double largest_px) const {

@@ -46,6 +46,28 @@ FaceLandmarks withLandmarks(const LandmarkModel& model, const cv::Mat& grey, con
   return found;
 }
 
+std::vector<FaceLandmarks> landmarkReadings(const LandmarkModel& model, const cv::Mat& grey,
+                                            const FaceLandmarks& face) {
+  // About the steps of the detector: its boxes are off by up to half of them.
+  constexpr double kScales[] = {0.86, 1.0, 1.16};
+  constexpr double kShifts[][2] = {{0, 0}, {-0.08, 0}, {0.08, 0}, {0, -0.08}, {0, 0.08}};
+  const SearchWindow window = windowAround(grey, face, face.face.width);
+  if (window.part.empty() || !model.isInstalled()) return {face};
+  const cv::Mat part = grey(window.part);
+  const Eigen::Vector2d centre = centreOf(face.face) - Eigen::Vector2d(window.part.x, window.part.y);
+  std::vector<FaceLandmarks> readings;
+  for (const double scale : kScales)
+    for (const auto& shift : kShifts) {
+      const Eigen::Vector2d at = centre + face.face.width * Eigen::Vector2d(shift[0], shift[1]);
+      readings.push_back(withLandmarks(
+          model, part,
+          {aroundCentre(at, scale * face.face.width, scale * face.face.height), face.roll_rad, face.score}));
+      moveBy(window.part.tl(), readings.back());
+      readings.back().face = face.face;
+    }
+  return readings;
+}
+
 SearchWindow windowAround(const cv::Mat& grey, const FaceLandmarks& last, double width_px) {
   const int margin = last.face.width / 2;
   const cv::Rect window(last.face.x - margin, last.face.y - margin, last.face.width + 2 * margin,

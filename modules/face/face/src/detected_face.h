@@ -23,6 +23,10 @@ cv::Rect cascadeBox(const cv::Rect& dlib_box);
 /// steadier than a detector's box, which has coarse steps of position and scale.
 FaceLandmarks withLandmarks(const LandmarkModel& model, const cv::Mat& grey, const DetectedFace& found);
 
+/// The landmarks read from boxes shifted and scaled by some percent of the face, the box itself among them.
+std::vector<FaceLandmarks> landmarkReadings(const LandmarkModel& model, const cv::Mat& grey,
+                                            const FaceLandmarks& face);
+
 /// The part of an image in which a face that was at `last` is searched, and how much it is reduced: the face
 /// is about `width_px` wide in it. Empty if that part lies outside the image.
 struct SearchWindow {

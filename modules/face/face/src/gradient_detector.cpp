@@ -80,6 +80,10 @@ class GradientDetector : public FaceDetector {
     return std::nullopt;
   }
 
+  std::vector<FaceLandmarks> readings(const cv::Mat& grey, const FaceLandmarks& found) const override {
+    return landmarkReadings(*landmarks_, grey, found);
+  }
+
  private:
   /// The faces of the first pass that shows a sure one; else those of all passes. The surest comes first.
   std::vector<DetectedFace> search(const cv::Mat& grey, const std::vector<Pass>& passes) const {

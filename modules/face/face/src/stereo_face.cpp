@@ -11,26 +11,54 @@ namespace {
 // Share of the face's width. On two drawn faces of 180 px (worlds 3008, 3018) landmarks were off by 6 to 8 %;
 // chosen on them.
 constexpr double kLandmarkEpipolarShare = 0.1;
+// Landmarks that disagree by more than this share were misled in one camera; the model's own scatter is 1 %.
+constexpr double kSteady = 0.015;
 constexpr double kLandmarkFit_mm = 9.0;  // a landmark's depth has an error of several mm
 
-bool agree(const cameras::StereoRig& rig, const StereoFace& face) {
+/// Median distance of the landmarks from each other's epipolar lines, in widths of the face.
+double disagreement(const cameras::StereoRig& rig, const FaceLandmarks& left, const FaceLandmarks& right) {
   std::vector<double> epipolar_px;
-  for (std::size_t i = 0; i < face.points_mm.size(); ++i) {
-    if (face.points_mm[i].z() <= 0) return false;
-    epipolar_px.push_back(cameras::epipolarError_px(rig, face.left.points68[i], face.right.points68[i]));
-  }
-  return epipolar_px.empty() || upperMedian(epipolar_px) < kLandmarkEpipolarShare * face.left.face.width;
+  for (std::size_t i = 0; i < std::min(left.points68.size(), right.points68.size()); ++i)
+    epipolar_px.push_back(cameras::epipolarError_px(rig, left.points68[i], right.points68[i]));
+  return epipolar_px.empty() ? 0.0 : upperMedian(epipolar_px) / left.face.width;
 }
 
-std::optional<StereoFace> joined(const cameras::StereoRig& rig, const std::optional<FaceLandmarks>& left,
-                                 const std::optional<FaceLandmarks>& right) {
-  if (!left || !right) return std::nullopt;
-  StereoFace face{*left, *right, {}};
-  for (std::size_t i = 0; i < std::min(left->points68.size(), right->points68.size()); ++i)
-    face.points_mm.push_back(cameras::triangulate(rig, left->points68[i], right->points68[i]).mm);
-  if (!agree(rig, face)) return std::nullopt;
-  return face;
-}
+/// One face as two cameras see it.
+class FacePair {
+ public:
+  FacePair(const FaceDetector& detector, const cameras::StereoRig& rig, const cameras::StereoFrame& frame)
+      : detector_(detector), rig_(rig), frame_(frame) {}
+
+  std::optional<StereoFace> joined(const std::optional<FaceLandmarks>& left,
+                                   const std::optional<FaceLandmarks>& right) const {
+    if (!left || !right) return std::nullopt;
+    StereoFace face{*left, *right, {}};
+    double off = disagreement(rig_, *left, *right);
+    if (off > kSteady) off = readAgain(face, off);
+    if (off >= kLandmarkEpipolarShare) return std::nullopt;
+    for (std::size_t i = 0; i < std::min(face.left.points68.size(), face.right.points68.size()); ++i) {
+      face.points_mm.push_back(cameras::triangulate(rig_, face.left.points68[i], face.right.points68[i]).mm);
+      if (face.points_mm.back().z() <= 0) return std::nullopt;
+    }
+    return face;
+  }
+
+ private:
+  /// Replaces the landmarks by the readings that agree best; returns their disagreement.
+  double readAgain(StereoFace& face, double off) const {
+    const auto in_left = detector_.readings(frame_.left, face.left),
+               in_right = detector_.readings(frame_.right, face.right);
+    for (const FaceLandmarks& left : in_left)
+      for (const FaceLandmarks& right : in_right)
+        if (const double now = disagreement(rig_, left, right); now < off)
+          off = now, face.left = left, face.right = right;
+    return off;
+  }
+
+  const FaceDetector& detector_;
+  const cameras::StereoRig& rig_;
+  const cameras::StereoFrame& frame_;
+};
 
 std::vector<double> residuals(const Eigen::Isometry3d& motion, const std::vector<Eigen::Vector3d>& from,
                               const std::vector<Eigen::Vector3d>& to) {
@@ -43,9 +71,10 @@ std::vector<double> residuals(const Eigen::Isometry3d& motion, const std::vector
 
 std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const cameras::StereoRig& rig,
                                          const cameras::StereoFrame& frame, const StereoFace* near) {
+  const FacePair pair(detector, rig, frame);
   if (near)
-    return joined(rig, detector.detectNear(frame.left, near->left),
-                  detector.detectNear(frame.right, near->right));
+    return pair.joined(detector.detectNear(frame.left, near->left),
+                       detector.detectNear(frame.right, near->right));
   // The two cameras decide together: of the pairs that agree, the surest one. Two unsure ones that agree are
   // a face.
   const auto left = detector.detectAll(frame.left);
@@ -55,7 +84,7 @@ std::optional<StereoFace> findStereoFace(const FaceDetector& detector, const cam
     for (const auto& in_left : left) {
       const double score = in_left.score + in_right.score;
       if (score < 0 || (best && score <= best->left.score + best->right.score)) continue;
-      if (auto face = joined(rig, in_left, in_right)) best = std::move(face);
+      if (auto face = pair.joined(in_left, in_right)) best = std::move(face);
     }
   return best;
 }
@@ -64,7 +93,7 @@ std::optional<StereoFace> findStereoFaceAtRoll(const FaceDetector& detector, con
                                                const cameras::StereoFrame& frame, double roll_rad) {
   const auto left = detector.detectAtRoll(frame.left, roll_rad);
   if (!left) return std::nullopt;
-  return joined(rig, left, detector.detectAtRoll(frame.right, roll_rad));
+  return FacePair(detector, rig, frame).joined(left, detector.detectAtRoll(frame.right, roll_rad));
 }
 
 std::optional<Eigen::Isometry3d> motionOfLandmarks(const std::vector<Eigen::Vector3d>& reference_mm,

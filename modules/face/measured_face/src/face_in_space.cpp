@@ -1,6 +1,7 @@
 #include "facenav/measured_face/face_in_space.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "facenav/anatomy/face_norms.h"
 #include "facenav/anatomy/head_norms.h"
@@ -10,7 +11,8 @@
 namespace facenav::measured_face {
 namespace {
 
-constexpr double kEpipolarLimit_px = 6.0;  // two independent landmark fits agree to a few pixels
+// Largest distance of a landmark from the other camera's epipolar line, in widths of the face (some 7 mm).
+constexpr double kEpipolarShare = 0.04;
 
 using Triangulated = std::vector<std::optional<Eigen::Vector3d>>;
 
@@ -18,11 +20,64 @@ Triangulated triangulateAll(const cameras::StereoRig& rig, const face::FaceLandm
                             const face::FaceLandmarks& right) {
   Triangulated points(68);
   for (int i = 0; i < 68; ++i) {
-    if (cameras::epipolarError_px(rig, left.points68[i], right.points68[i]) > kEpipolarLimit_px) continue;
+    if (cameras::epipolarError_px(rig, left.points68[i], right.points68[i]) >
+        kEpipolarShare * left.face.width)
+      continue;
     const Eigen::Vector3d p = cameras::triangulate(rig, left.points68[i], right.points68[i]).mm;
     if (p.allFinite() && p.z() > 100.0 && p.z() < 5000.0) points[i] = p;
   }
   return points;
+}
+
+/// The landmarks' common plane, as depth over x and y (mm) from their middle.
+struct DepthPlane {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();  // of (x, y, 1)
+  double deviation_mm = 0.0;                               // of the points from it, robust
+  Eigen::Vector3d row(const Eigen::Vector3d& p) const {
+    return {p.x() - middle.x(), p.y() - middle.y(), 1.0};
+  }
+  double at(const Eigen::Vector3d& p) const { return coefficients.dot(row(p)); }
+};
+
+/// Fits the plane to at least one point, outliers with a low weight. A face is usually turned towards the
+/// cameras, which limits the plane's slope where the depths scatter.
+DepthPlane planeThrough(const std::vector<Eigen::Vector3d>& points) {
+  constexpr int kRounds = 8;
+  constexpr double kSlope = 0.4;   // standard deviation: turned by 20 degrees
+  constexpr double kShared = 8.0;  // landmarks of one part of the face share their error
+  DepthPlane plane;
+  for (const auto& p : points) plane.middle += p / double(points.size());
+  plane.coefficients.z() = plane.middle.z();
+  double scale_mm = 0;
+  for (int round = 0; round <= kRounds; ++round) {
+    std::vector<double> off_mm;
+    for (const auto& p : points) off_mm.push_back(std::abs(p.z() - plane.at(p)));
+    scale_mm = std::max(1.0, kSigmaPerMad * upperMedian(off_mm));
+    Eigen::Matrix3d normal = Eigen::Vector3d(1, 1, 0).asDiagonal().toDenseMatrix() / (kSlope * kSlope);
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double weight = 1.0 / (kShared * (scale_mm * scale_mm + off_mm[i] * off_mm[i]));
+      const Eigen::Vector3d row = plane.row(points[i]);
+      normal += weight * row * row.transpose(), right += weight * points[i].z() * row;
+    }
+    plane.coefficients = normal.ldlt().solve(right);
+  }
+  plane.deviation_mm = scale_mm;
+  return plane;
+}
+
+/// Draws the landmarks along their rays towards their common plane, by the share of their scatter that is not
+/// the relief of a face: landmarks of a far face are off by centimetres in depth.
+void steadyDepths(Triangulated& points) {
+  constexpr double kRelief_mm = 10.0;  // of brows, eyes, nose, mouth and jaw about a plane
+  std::vector<Eigen::Vector3d> seen;
+  for (const auto& p : points)
+    if (p) seen.push_back(*p);
+  const DepthPlane plane = planeThrough(seen);
+  const double own = std::min(1.0, std::pow(kRelief_mm / plane.deviation_mm, 2));
+  for (auto& p : points)
+    if (p) *p *= (plane.at(*p) + own * (p->z() - plane.at(*p))) / p->z();
 }
 
 std::optional<Eigen::Vector3d> mean(const Triangulated& points, int first, int last) {
@@ -35,10 +90,11 @@ std::optional<Eigen::Vector3d> mean(const Triangulated& points, int first, int l
 }
 
 /// Leaves the start open if the cameras disagree about most landmarks: the few left agree by chance.
-void setStart(FaceInSpace& face, const Triangulated& points) {
+void setStart(FaceInSpace& face, Triangulated points) {
   const auto agreeing =
       std::count_if(points.begin(), points.end(), [](const auto& p) { return p.has_value(); });
   if (2 * agreeing < std::ptrdiff_t(points.size())) return;
+  steadyDepths(points);
   const auto right_eye = mean(points, 36, 41), left_eye = mean(points, 42, 47), mouth = mean(points, 48, 67);
   if (!right_eye || !left_eye) return;
   const double eyes_mm = (*right_eye - *left_eye).norm();
@@ -57,6 +113,7 @@ void setStart(FaceInSpace& face, const Triangulated& points) {
 stereo::FaceCloud select(const stereo::FaceCloud& cloud, const std::vector<std::size_t>& indices) {
   stereo::FaceCloud out;
   out.epipolar_median_px = cloud.epipolar_median_px;
+  out.grain_px = cloud.grain_px;
   for (const std::size_t i : indices) {
     out.cloud.points_mm.push_back(cloud.cloud.points_mm[i]);
     if (!cloud.cloud.normals.empty()) out.cloud.normals.push_back(cloud.cloud.normals[i]);

@@ -68,6 +68,7 @@ registration::AlignmentStart startOf(const cameras::StereoRig& rig,
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
   start.noise_mm = error.point_mm;
+  start.noise_grain_mm = error.grain_mm;
   start.right = turnableRight(rig, outcome.face, outcome.has_dense_dots);
   if (marker && start.right) start.known_turn = turnBy(*marker, *start.right);
   return start;
@@ -293,7 +294,7 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
     fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };
   if (const auto failure = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
-    refuseAlignment(rig, capture, from, failure, is_measured, setup.matcher, face_box);
+    refuseAlignment(rig, capture, from, failure, is_measured && face_box, setup.matcher, face_box);
   conclude(rig, setup, capture.plain, outcome);
   if (has_dots) requireStillHead(rig, outcome);
   return outcome;
@@ -303,9 +304,13 @@ AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, s
                                head_tracking::HeadTracker& tracker, const AlignmentSetup& setup,
                                TaskMonitor& monitor) {
   const Field field = fieldOf(setup);
-  auto measured =
-      measured_face::measureFilm(film, first, last, head_tracking::motionSinceFirst(tracker, film.rig()),
-                                 setup.detector, monitor, measured_face::kFramesToAlign);
+  measured_face::MeasuredFace measured;
+  if (const auto failure = failureOf([&] {
+        measured = measured_face::measureFilm(film, first, last,
+                                              head_tracking::motionSinceFirst(tracker, film.rig()),
+                                              setup.detector, monitor, measured_face::kFramesToAlign);
+      }))
+    throw NotMeasured(wordsOf(failure));
   AlignmentOutcome outcome;
   outcome.from = measured_face::AlignedFrom::film;
   outcome.landmarks = measured.landmarks;
@@ -313,7 +318,8 @@ AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, s
   outcome.fused_frames = measured.fused;
   const cameras::StereoFrame& plain = *measured.first;
   if (const auto failure = failureOf([&] { fit(film.rig(), setup, field, plain, plain, monitor, outcome); }))
-    refuseAlignment(film.rig(), {plain, plain}, outcome.from, failure, true, outcome.matcher,
+    refuseAlignment(film.rig(), {plain, plain}, outcome.from, failure, outcome.landmarks.centre.has_value(),
+                    outcome.matcher,
                     outcome.landmarks.left ? std::optional(outcome.landmarks.left->face) : std::nullopt);
   conclude(film.rig(), setup, plain, outcome);
   return outcome;

@@ -19,8 +19,6 @@ std::exception_ptr failureOf(const std::function<void()>& task) {
   }
 }
 
-namespace {
-
 std::string wordsOf(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
@@ -28,8 +26,6 @@ std::string wordsOf(const std::exception_ptr& failure) {
     return error.what();
   }
 }
-
-}  // namespace
 
 [[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   measured_face::AlignedFrom from, const std::exception_ptr& failure,

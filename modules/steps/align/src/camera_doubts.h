@@ -18,9 +18,13 @@ namespace facenav::steps {
 /// are rethrown: a fault of the cameras, and the user's stop.
 std::exception_ptr failureOf(const std::function<void()>& task);
 
+/// The words of an Error.
+std::string wordsOf(const std::exception_ptr& failure);
+
 /// Throws the reason of a failed alignment. Checks the cameras first, then the dots (if `from` needs them).
 /// `face`: in the left picture, where it was found; only matches there speak about the cameras. If all are in
-/// order, throws the original error, as NotMeasured if the face was not even measured.
+/// order, throws the original error; as NotMeasured if no face was found and measured, since a surface that
+/// may be anything does not speak against the person.
 [[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   measured_face::AlignedFrom from, const std::exception_ptr& failure,
                                   bool is_measured, const std::string& matcher,

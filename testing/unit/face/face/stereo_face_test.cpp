@@ -117,6 +117,30 @@ TEST(StereoFace, ASmallErrorOfTheLandmarksIsNoOtherFace) {
   EXPECT_TRUE(findStereoFace(stub, rig, frame()));
 }
 
+/// A detector whose landmarks are misled in one camera; other boxes read some of them rightly.
+struct Misled : Stub {
+  std::vector<FaceLandmarks> readings(const cv::Mat& grey, const FaceLandmarks& found) const override {
+    ++searches;
+    FaceLandmarks right_ones = found;
+    if (grey.at<std::uint8_t>(0, 0) == 2)
+      for (auto& p : right_ones.points68) p.y() -= 0.2 * found.face.width;
+    return {found, right_ones};
+  }
+};
+
+TEST(StereoFace, LandmarksThatMisleadOneCameraAreReadAgainUntilBothAgree) {
+  const auto rig = testing::convergingRig();
+  Misled misled;
+  static_cast<Stub&>(misled) = stubFor(rig, facePoints());
+  for (auto& p : misled.right->points68) p.y() += 0.2 * misled.right->face.width;
+  const auto face = findStereoFace(misled, rig, frame());
+  ASSERT_TRUE(face);
+  for (int i = 0; i < 68; ++i) EXPECT_THAT(face->points_mm[i], EigenNear(facePoints()[i], 1e-4));
+  static_cast<Stub&>(misled) = stubFor(rig, facePoints());
+  ASSERT_TRUE(findStereoFace(misled, rig, frame()));
+  EXPECT_EQ(misled.searches, 2) << "landmarks that agree are not read again";
+}
+
 /// A detector that finds a poster, or a second person, more surely than the patient.
 struct ManyFaces : Stub {
   std::vector<FaceLandmarks> in_left, in_right;

@@ -5,7 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "facenav/core/error.h"
+#include "facenav/geometry/rotation.h"
+#include "facenav/measured_face/face_in_space.h"
+#include "support/stereo_rigs.h"
 #include "support/synthetic_face.h"
 #include "support/test_data.h"
 
@@ -185,6 +190,56 @@ TEST_F(MeasuredFaces, AFilmWithoutTheFrameIsRefused) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("no frame 7"));
   }
+}
+
+/// Landmarks of a face that looks at the cameras, each off by a pixel or so.
+class NoisyLandmarks : public face::FaceDetector {
+ public:
+  NoisyLandmarks(const cameras::StereoRig& rig, double depth_mm, double noise_px)
+      : rig_(rig), off_(0, noise_px) {
+    std::mt19937_64 random(3);
+    for (auto* points : {&left_, &right_})
+      for (int i = 0; i < 68; ++i) {
+        const int row = i < 17 ? 3 : i < 27 ? -5 : i < 36 ? 0 : i < 48 ? -3 : 4;
+        const double x = i < 36 ? 8.0 * (i % 9 - 4) : i < 42 ? -32.0 : i < 48 ? 32.0 : 4.0 * (i % 10 - 5);
+        const Eigen::Vector3d p(x, 12.0 * row, depth_mm - (i == 30 ? 25 : 0));
+        points->push_back((points == &left_
+                               ? cameras::project(rig_.left, p)
+                               : cameras::project(rig_.right, rig_.right_T_left.isometry() * p)) +
+                          Eigen::Vector2d(off_(random), off_(random)));
+      }
+  }
+  std::optional<face::FaceLandmarks> detect(const cv::Mat& grey) const override {
+    face::FaceLandmarks found;
+    found.face = {100, 100, 110, 110};
+    found.points68 = grey.at<std::uint8_t>(0, 0) == 1 ? left_ : right_;
+    return found;
+  }
+  std::optional<face::FaceLandmarks> detectNear(const cv::Mat& grey,
+                                                const face::FaceLandmarks&) const override {
+    return detect(grey);
+  }
+  std::optional<face::FaceLandmarks> detectAtRoll(const cv::Mat& grey, double) const override {
+    return detect(grey);
+  }
+
+ private:
+  const cameras::StereoRig& rig_;
+  std::normal_distribution<double> off_;
+  std::vector<Eigen::Vector2d> left_, right_;
+};
+
+TEST(FaceInSpace, AFarFaceWhoseLandmarksScatterInDepthStillGivesTheStart) {
+  const auto rig = testing::convergingRig();
+  cameras::StereoFrame pair;
+  pair.left = cv::Mat(8, 8, CV_8U, cv::Scalar(1)), pair.right = cv::Mat(8, 8, CV_8U, cv::Scalar(2));
+  const double depth_mm = 1400, px = 1.2;  // a pixel of disparity is some 20 mm there
+  const auto face = measured_face::findFace(rig, pair, NoisyLandmarks(rig, depth_mm, px));
+  ASSERT_TRUE(face.centre && face.start.patient_right && face.start.nose_tip);
+  EXPECT_NEAR(face.centre->mm.z(), depth_mm, 15);
+  EXPECT_GT(face.start.patient_right->v.dot(-Eigen::Vector3d::UnitX()), std::cos(20 * kRadPerDeg));
+  EXPECT_GT(face.start.patient_superior->v.normalized().dot(-Eigen::Vector3d::UnitY()),
+            std::cos(20 * kRadPerDeg));
 }
 
 }  // namespace

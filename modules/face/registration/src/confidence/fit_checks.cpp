@@ -69,7 +69,8 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
 /// Log likelihood ratio of the skin to its mirror image. The face is mirrored instead of the skin, which is
 /// equivalent, and fitted as carefully as the face itself, from three turns near the pose.
 void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
-                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
+                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                     const PointNoise& noise) {
   const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
   PointCloud<Camera> mirrored = pick(face, points);
   for (auto& p : mirrored.points_mm) p = flipped(p);
@@ -82,21 +83,21 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   twin.linear() = flip.asDiagonal() * mri_T_camera.linear() * flip.asDiagonal();
   twin.translation() = flipped(mri_T_camera.translation()) + Eigen::Vector3d(2 * middle.x(), 0, 0);
   const FieldFitter fitter(scalp, mirrored, all);
-  const SkinLikelihood logLikelihood(scalp, mirrored, all, noise_mm);
+  const SkinLikelihood logLikelihood(scalp, mirrored, all, noise);
   double most = -1e9;
   Eigen::Isometry3d best = twin;
   for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
     Vector6d turn = Vector6d::Zero();
     turn[2] = yaw_deg * kRadPerDeg;
-    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f, noise_mm);
+    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f, noise.mm);
     const double there = logLikelihood(fitter.match(pose));
     if (there > most) most = there, best = pose;
   }
   const FieldFitter given(scalp, face, points);
-  const double here = SkinLikelihood(scalp, face, points, noise_mm)(given.match(mri_T_camera));
+  const double here = SkinLikelihood(scalp, face, points, noise)(given.match(mri_T_camera));
   evidence.mirror_log_odds = here - most;
   if (evidence.mirror_log_odds > kFarFromMirrored) return;  // a closer fit cannot gain that much
-  const PartFit closest = fitParts(scalp, mirrored, all, best, noise_mm).front();
+  const PartFit closest = fitParts(scalp, mirrored, all, best, noise.mm).front();
   if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
   evidence.mirror_log_odds = here - most;
   if (evidence.mirror_log_odds > 0) return;
@@ -107,15 +108,15 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
 /// Log likelihood ratio of the pose to the best other pose.
 double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
                     const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals,
-                    double noise_mm) {
+                    const PointNoise& noise) {
   double most = -1e9;
   const std::vector<int> points = thinOut(face, 6.0, 2000);
   const FieldFitter everything(scalp, face, points);
-  const SkinLikelihood logLikelihood(scalp, face, points, noise_mm);
+  const SkinLikelihood logLikelihood(scalp, face, points, noise);
   for (const Candidate& rival : rivals) {
     constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares, each cut at 4 mm
     if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
-    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f, noise_mm);
+    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f, noise.mm);
     if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * kRadPerDeg, 10.0)) continue;
     most = std::max(most, logLikelihood(everything.match(pose)));
   }
@@ -148,8 +149,9 @@ constexpr double kSizes[] = {0.88, 0.91, 0.94, 0.96, 0.975, 0.985, 1.015, 1.025,
 /// calibration makes this person's face fit at another size; another person's fits at none. Rare sizes are
 /// tried only where the face does not fit at the others.
 void compareSizes(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
-                  const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
-  const SkinLikelihood likelihood(scalp, face, points, noise_mm);
+                  const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
+                  const PointNoise& noise) {
+  const SkinLikelihood likelihood(scalp, face, points, noise);
   const auto as_is = likelihood.byPerson(FieldFitter(scalp, face, points).match(mri_T_camera));
   evidence.own_log_odds = as_is.own - as_is.other + sizeLogOdds(1.0);
   const bool is_own = evidence.own_log_odds > settingsOf<FitLimits>().least_own;
@@ -163,10 +165,12 @@ void compareSizes(FitEvidence& evidence, const ScalpField& scalp, const PointClo
     for (const int p : points) scaled.points_mm[std::size_t(p)] = face.points_mm[std::size_t(p)] / scale;
     const FieldFitter fitter(scalp, scaled, points);
     const Eigen::Isometry3d start = mri_T_camera * Eigen::Translation3d(centre - centre / scale);
-    const auto here = likelihood.byPerson(fitter.match(settle(fitter, start, 8.0f, noise_mm)));
+    const auto here = likelihood.byPerson(fitter.match(settle(fitter, start, 8.0f, noise.mm)));
     const double log_odds = here.own - here.other + sizeLogOdds(scale);
-    if (is_own ? here.own < most : log_odds < evidence.own_log_odds) continue;
-    most = here.own;
+    // A coarsely measured face fits at many sizes: a rare one must be clearly likelier than its own.
+    if ((is_own || is_rare) && here.own < most) continue;
+    if (!is_own && log_odds < evidence.own_log_odds) continue;
+    most = std::max(most, here.own);
     evidence.fitting_scale = scale;
     evidence.own_log_odds = log_odds;
   }
@@ -229,14 +233,14 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
                            const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
-                           const std::vector<Candidate>& rivals, double noise_mm) {
+                           const std::vector<Candidate>& rivals, const PointNoise& noise) {
   FitEvidence evidence;
   const std::vector<int> near = nearHead(scalp, face, finitePoints(face), mri_T_camera, 30.0);
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
-  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise_mm);
-  compareSizes(evidence, scalp, face, sparse, mri_T_camera, noise_mm);
-  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise_mm);
+  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise);
+  compareSizes(evidence, scalp, face, sparse, mri_T_camera, noise);
+  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise);
   return evidence;
 }
 

@@ -36,6 +36,11 @@ class FaceDetector {
   virtual std::optional<FaceLandmarks> detectNear(const cv::Mat& grey, const FaceLandmarks& last) const = 0;
   /// The surest face with roll `roll_rad` (within some 15 degrees), anywhere; much faster than detect().
   virtual std::optional<FaceLandmarks> detectAtRoll(const cv::Mat& grey, double roll_rad) const = 0;
+  /// The landmarks of one face as read from several boxes around it. They scatter where light or expression
+  /// mislead the landmark model; the other camera decides which are right (findStereoFace).
+  virtual std::vector<FaceLandmarks> readings(const cv::Mat& /*grey*/, const FaceLandmarks& found) const {
+    return {found};
+  }
 };
 
 std::unique_ptr<FaceDetector> makeFaceDetector();
