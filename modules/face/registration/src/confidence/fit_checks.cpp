@@ -69,8 +69,7 @@ Closeness closenessOf(const ScalpField& scalp, const PointCloud<Camera>& face, c
 /// Log likelihood ratio of the skin to its mirror image. The face is mirrored instead of the skin, which is
 /// equivalent, and fitted as carefully as the face itself, from three turns near the pose.
 void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
-                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
-                     const PointNoise& noise) {
+                     const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
   const auto flipped = [](Eigen::Vector3d v) { return Eigen::Vector3d(-v.x(), v.y(), v.z()); };
   PointCloud<Camera> mirrored = pick(face, points);
   for (auto& p : mirrored.points_mm) p = flipped(p);
@@ -83,21 +82,21 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
   twin.linear() = flip.asDiagonal() * mri_T_camera.linear() * flip.asDiagonal();
   twin.translation() = flipped(mri_T_camera.translation()) + Eigen::Vector3d(2 * middle.x(), 0, 0);
   const FieldFitter fitter(scalp, mirrored, all);
-  const SkinLikelihood logLikelihood(scalp, mirrored, all, noise);
+  const SkinLikelihood logLikelihood(scalp, mirrored, all, noise_mm);
   double most = -1e9;
   Eigen::Isometry3d best = twin;
   for (const double yaw_deg : {-8.0, 0.0, 8.0}) {
     Vector6d turn = Vector6d::Zero();
     turn[2] = yaw_deg * kRadPerDeg;
-    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f, noise.mm);
+    const Eigen::Isometry3d pose = settle(fitter, increment(turn, middle, twin), 12.0f, noise_mm);
     const double there = logLikelihood(fitter.match(pose));
     if (there > most) most = there, best = pose;
   }
   const FieldFitter given(scalp, face, points);
-  const double here = SkinLikelihood(scalp, face, points, noise)(given.match(mri_T_camera));
+  const double here = SkinLikelihood(scalp, face, points, noise_mm)(given.match(mri_T_camera));
   evidence.mirror_log_odds = here - most;
   if (evidence.mirror_log_odds > kFarFromMirrored) return;  // a closer fit cannot gain that much
-  const PartFit closest = fitParts(scalp, mirrored, all, best, noise.mm).front();
+  const PartFit closest = fitParts(scalp, mirrored, all, best, noise_mm).front();
   if (closest.log_likelihood > most) most = closest.log_likelihood, best = closest.mri_T_camera;
   evidence.mirror_log_odds = here - most;
   if (evidence.mirror_log_odds > 0) return;
@@ -108,15 +107,15 @@ void compareMirrored(FitEvidence& evidence, const ScalpField& scalp, const Point
 /// Log likelihood ratio of the pose to the best other pose.
 double rivalLogOdds(const ScalpField& scalp, const PointCloud<Camera>& face,
                     const Eigen::Isometry3d& mri_T_camera, const std::vector<Candidate>& rivals,
-                    const PointNoise& noise) {
+                    double noise_mm) {
   double most = -1e9;
   const std::vector<int> points = thinOut(face, 6.0, 2000);
   const FieldFitter everything(scalp, face, points);
-  const SkinLikelihood logLikelihood(scalp, face, points, noise);
+  const SkinLikelihood logLikelihood(scalp, face, points, noise_mm);
   for (const Candidate& rival : rivals) {
     constexpr double kTruncated_mm2 = 16.0;  // a candidate's cost is a mean of squares, each cut at 4 mm
     if (kTruncated_mm2 - rival.cost < 0.6 * (kTruncated_mm2 - rivals.front().cost)) continue;
-    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f, noise.mm);
+    const Eigen::Isometry3d pose = settle(everything, rival.mri_T_camera, 4.0f, noise_mm);
     if (!areDistinct(pose, mri_T_camera, scalp.middle_mm(), 6 * kRadPerDeg, 10.0)) continue;
     most = std::max(most, logLikelihood(everything.match(pose)));
   }
@@ -238,9 +237,9 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
   const std::vector<int> near = nearHead(scalp, face, finitePoints(face), mri_T_camera, 30.0);
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
-  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise);
+  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise.mm);
   compareSizes(evidence, scalp, face, sparse, mri_T_camera, noise);
-  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise);
+  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise.mm);
   return evidence;
 }
 
