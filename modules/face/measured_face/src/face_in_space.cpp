@@ -113,7 +113,6 @@ void setStart(FaceInSpace& face, Triangulated points) {
 stereo::FaceCloud select(const stereo::FaceCloud& cloud, const std::vector<std::size_t>& indices) {
   stereo::FaceCloud out;
   out.epipolar_median_px = cloud.epipolar_median_px;
-  out.grain_px = cloud.grain_px;
   for (const std::size_t i : indices) {
     out.cloud.points_mm.push_back(cloud.cloud.points_mm[i]);
     if (!cloud.cloud.normals.empty()) out.cloud.normals.push_back(cloud.cloud.normals[i]);

@@ -29,7 +29,6 @@ int plainReduction(const cameras::StereoRig& rig, const FaceInSpace& face) {
 }
 
 void toWholePicture(stereo::FaceCloud& cloud, int times) {
-  cloud.grain_px *= times;
   for (auto& px : cloud.left_px) px = cameras::inWholePicture(px, times);
 }
 

@@ -66,8 +66,7 @@ FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& fa
   const double stated_mm = statedDeviation_mm(face);
   return {std::hypot(sharedDepthSigma_mm(rig, face.cloud), shared.whole * stated_mm),
           {shared.smooth * stated_mm, shared.reach_mm},
-          stated_mm,
-          face.cloud.empty() ? 0.0 : face.grain_px * medianOf(face.cloud).z() / rig.left.k(0, 0)};
+          stated_mm};
 }
 
 }  // namespace facenav::measured_face

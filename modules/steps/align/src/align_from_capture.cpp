@@ -68,7 +68,6 @@ registration::AlignmentStart startOf(const cameras::StereoRig& rig,
   start.shared_depth_sigma_mm = error.whole_mm;
   start.sight = error.sight;
   start.noise_mm = error.point_mm;
-  start.noise_grain_mm = error.grain_mm;
   start.right = turnableRight(rig, outcome.face, outcome.has_dense_dots);
   if (marker && start.right) start.known_turn = turnBy(*marker, *start.right);
   return start;

@@ -148,9 +148,8 @@ constexpr double kSizes[] = {0.88, 0.91, 0.94, 0.96, 0.975, 0.985, 1.015, 1.025,
 /// calibration makes this person's face fit at another size; another person's fits at none. Rare sizes are
 /// tried only where the face does not fit at the others.
 void compareSizes(FitEvidence& evidence, const ScalpField& scalp, const PointCloud<Camera>& face,
-                  const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera,
-                  const PointNoise& noise) {
-  const SkinLikelihood likelihood(scalp, face, points, noise);
+                  const std::vector<int>& points, const Eigen::Isometry3d& mri_T_camera, double noise_mm) {
+  const SkinLikelihood likelihood(scalp, face, points, noise_mm);
   const auto as_is = likelihood.byPerson(FieldFitter(scalp, face, points).match(mri_T_camera));
   evidence.own_log_odds = as_is.own - as_is.other + sizeLogOdds(1.0);
   const bool is_own = evidence.own_log_odds > settingsOf<FitLimits>().least_own;
@@ -164,7 +163,7 @@ void compareSizes(FitEvidence& evidence, const ScalpField& scalp, const PointClo
     for (const int p : points) scaled.points_mm[std::size_t(p)] = face.points_mm[std::size_t(p)] / scale;
     const FieldFitter fitter(scalp, scaled, points);
     const Eigen::Isometry3d start = mri_T_camera * Eigen::Translation3d(centre - centre / scale);
-    const auto here = likelihood.byPerson(fitter.match(settle(fitter, start, 8.0f, noise.mm)));
+    const auto here = likelihood.byPerson(fitter.match(settle(fitter, start, 8.0f, noise_mm)));
     const double log_odds = here.own - here.other + sizeLogOdds(scale);
     // A coarsely measured face fits at many sizes: a rare one must be clearly likelier than its own.
     if ((is_own || is_rare) && here.own < most) continue;
@@ -232,14 +231,14 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
 
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
                            const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
-                           const std::vector<Candidate>& rivals, const PointNoise& noise) {
+                           const std::vector<Candidate>& rivals, double noise_mm) {
   FitEvidence evidence;
   const std::vector<int> near = nearHead(scalp, face, finitePoints(face), mri_T_camera, 30.0);
   const std::vector<int> head = thinOut(face, near, 3.0, 4000), sparse = thinOut(face, near, 5.0, 1500);
   evidence.closeness = closenessOf(scalp, face, head, mri_T_camera, covers);
-  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise.mm);
-  compareSizes(evidence, scalp, face, sparse, mri_T_camera, noise);
-  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise.mm);
+  compareMirrored(evidence, scalp, face, sparse, mri_T_camera, noise_mm);
+  compareSizes(evidence, scalp, face, sparse, mri_T_camera, noise_mm);
+  if (rivals.size() > 1) evidence.rival_log_odds = rivalLogOdds(scalp, face, mri_T_camera, rivals, noise_mm);
   return evidence;
 }
 
@@ -257,7 +256,8 @@ void requireLikeness(const FitEvidence& evidence) {
            "import the MRI again from its DICOM files");
   if (is_resized) refuseSize(evidence.fitting_scale);
   if (!is_own) refuseAsAnother(evidence);
-  if (evidence.mirror_log_odds < limits.least_unmirrored)
+  // The mirror image stands for another person, too: coarsely measured strangers fit it nearly as well.
+  if (evidence.mirror_log_odds < limits.least_own)
     refuseAsTooLittle(
         "the face cannot be distinguished from its mirror image",
         "check that the MRI's left and right are not swapped, and show more of the face to both cameras");

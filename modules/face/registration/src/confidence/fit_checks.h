@@ -40,9 +40,10 @@ class CameraTurned : public Error {
   using Error::Error;
 };
 
+/// `noise_mm`: as in AlignmentStart.
 FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& face,
                            const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
-                           const std::vector<Candidate>& rivals, const PointNoise& noise);
+                           const std::vector<Candidate>& rivals, double noise_mm);
 
 /// Checks that it is this face, as far as possible before the pose's error is known. Throws Error("not
 /// aligned: ...") naming the first reason.

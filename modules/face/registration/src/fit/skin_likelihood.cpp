@@ -20,8 +20,8 @@ constexpr std::array<double, 4> kDetail_mm{0.1, 0.2, 0.4, 0.8}, kDetailShare{0.2
 constexpr std::array<double, 6> kOtherSizeShare{0.0, 0.0, 0.0, 0.02, 0.3, 0.68};
 constexpr std::array<double, 4> kOtherDetailShare{0.0, 0.01, 0.2, 0.79};
 constexpr std::array<double, 3> kCoverDetail_mm{0.3, 1.0, 3.0};
-// Most independent values of detail in a fully visible patch. A window for dots leaves some 20; a lower
-// number accounts for the unmodelled correlation between neighbouring patches.
+// Number of independent values of detail in a fully visible patch. The matcher's window leaves some 20; a
+// lower number accounts for the unmodelled correlation between neighbouring patches.
 constexpr double kGrains = 5.0;
 constexpr double kHair_mm = 8.0, kForeignFar_mm = 60.0;  // reach of hair; of hands and coils
 constexpr double kBehind = 0.15, kBehind_mm = 3.0;       // behind the skin lie only eyes and gross errors
@@ -132,10 +132,8 @@ struct SkinLikelihood::Labels {
 };
 
 SkinLikelihood::SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face,
-                               const std::vector<int>& points, const PointNoise& noise, double patch_mm)
-    : regions_(scalp.noseTip_mm()),
-      noise_mm_(noise.mm),
-      grains_(std::clamp(std::pow(patch_mm / std::max(noise.grain_mm, 1e-3), 2), 1.0, kGrains)) {
+                               const std::vector<int>& points, double noise_mm, double patch_mm)
+    : regions_(scalp.noseTip_mm()), noise_mm_(noise_mm) {
   CubeNumbers numbers(patch_mm);
   std::vector<Eigen::Vector3i> cubes;
   std::vector<double> counts;
@@ -182,7 +180,7 @@ std::vector<SkinLikelihood::Patch> SkinLikelihood::gather(const std::vector<Poin
     const double foreign = regions_.foreignShare(at);
     if (foreign > kHairy) patch.prior = std::max(kBare, std::log(foreign / (1 - foreign)));
     // Hair is one connected object. If hair is probable, patches count as fewer independent points.
-    const double share = std::min(1.0, n / full_) * (1 - foreign), grains = grains_ * share;
+    const double share = std::min(1.0, n / full_) * (1 - foreign), grains = kGrains * share;
     const float m_mm = selectRank(residuals[i], residuals[i].size() / 2);
     const double m = double(m_mm);
     for (std::size_t d = 0; d < kDetails; ++d) {

@@ -11,7 +11,6 @@
 #include <array>
 
 #include "facenav/anatomy/face_regions.h"
-#include "facenav/registration/aligner.h"
 #include "field_fit.h"
 
 namespace facenav::registration {
@@ -19,9 +18,10 @@ namespace facenav::registration {
 class SkinLikelihood {
  public:
   /// `points`: indices in the cloud, in the order of the matches. The mean offsets of patches of `patch_mm`
-  /// are treated as independent, since misfit is correlated over that distance.
+  /// are treated as independent, since misfit is correlated over that distance. `noise_mm`: standard
+  /// deviation of single points by the measurement.
   SkinLikelihood(const ScalpField& scalp, const PointCloud<Camera>& face, const std::vector<int>& points,
-                 const PointNoise& noise, double patch_mm = 25.0);
+                 double noise_mm, double patch_mm = 25.0);
 
   /// Log likelihood of the matches of all points at a pose. Only differences between poses have a meaning.
   double operator()(const std::vector<PointMatch>& matches) const;
@@ -56,7 +56,6 @@ class SkinLikelihood {
 
   anatomy::FaceRegions regions_;
   double noise_mm_ = 0.0;
-  double grains_ = 1.0;                       // independent errors in a fully visible patch
   double full_ = 0.0;                         // number of points in a fully visible patch
   std::vector<int> patch_of_;                 // patch of each point
   std::vector<std::vector<int>> neighbours_;  // neighbours of each patch

@@ -26,8 +26,7 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
                          TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
   auto gathering = std::async(std::launch::async, [&] {
-    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals,
-                          {start.noise_mm, start.noise_grain_mm});
+    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals, start.noise_mm);
   });
   std::optional<FinalFit> fit;
   try {

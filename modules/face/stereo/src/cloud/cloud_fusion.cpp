@@ -77,13 +77,11 @@ void CloudFusion::add(const FaceCloud& cloud, const Eigen::Isometry3d& first_T_n
   for (std::size_t i = 0; i < cloud.cloud.size(); ++i)
     see(first_T_now * cloud.cloud.points_mm[i], first_T_now.linear() * cloud.cloud.normals[i],
         cloud.sigma_mm[i]);
-  grain_px_ = std::max(grain_px_, cloud.grain_px);
   ++clouds_;
 }
 
 FusedCloud CloudFusion::fused() const {
   FusedCloud result;
-  result.face.grain_px = grain_px_;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell& cell = cells_[i];
     if (cell.observations.empty()) continue;

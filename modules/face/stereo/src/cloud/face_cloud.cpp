@@ -98,7 +98,6 @@ FaceCloud measureOnce(const cameras::StereoRig& rig, const cameras::StereoFrame&
   monitor.report("triangulate", 0.9);
   FaceCloud face = toCloud(rectification, map, diskNormals(rectification, map),
                            options.has_dots ? 0.0 : kPlainSkinError_px);
-  face.grain_px = std::sqrt(4 * M_PI) * match.window_sigma_px;
   face.epipolar_median_px = epipolarMedian(rectification, pair, map);
   monitor.report("triangulate", 1.0);
   return face;

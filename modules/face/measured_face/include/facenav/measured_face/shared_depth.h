@@ -20,7 +20,6 @@ struct FaceError {
   double whole_mm = 0.0;           // shared by the whole face, along the view
   registration::SightError sight;  // shared by neighbouring points
   double point_mm = 0.0;           // of single points, as the cloud states it
-  double grain_mm = 0.0;           // side of a square whose points share that error
 };
 FaceError faceErrorOf(const cameras::StereoRig& rig, const stereo::FaceCloud& face);
 

@@ -46,13 +46,6 @@ struct CameraTurn {
 /// mm): left increment in Camera (rotation, mm about Camera's origin).
 Vector6d motionByTurn(const TurnableCamera& right, const std::vector<Eigen::Vector3d>& points_mm);
 
-/// Error of the cloud's single points along the line of sight, as the measurement states it.
-struct PointNoise {
-  PointNoise(double mm_, double grain_mm_ = 0.0) : mm(mm_), grain_mm(grain_mm_) {}
-  double mm;        // standard deviation
-  double grain_mm;  // side of a square whose points share one error: the matcher's window; 0: single points
-};
-
 /// Prior knowledge for the fit. All of it is optional: nothing is clicked. Directions and points in Camera.
 struct AlignmentStart {
   std::optional<Direction<Camera>> patient_right;     // for example from left-eye to right-eye landmarks
@@ -65,7 +58,6 @@ struct AlignmentStart {
   /// Standard deviation of single points along the line of sight, as the measurement states it. The skin is
   /// recognised under so much noise.
   double noise_mm = 0.0;
-  double noise_grain_mm = 0.0;          // as PointNoise::grain_mm
   SightError sight;                     // included in the bound
   std::optional<TurnableCamera> right;  // empty: the right camera's turn is not estimated
   /// The turn as measured without the face (a marker or a board of known size), fused with the fit's own. If

@@ -13,7 +13,6 @@ struct FitLimits {
   double least_own = 6.0;
   double mostly_bare = 0.7;
   double mirrored = -5.0;
-  double least_unmirrored = 1.0;
   double rival = 3.0;
   double scanner_scale = 0.01;
   double caution_scale_z = 3.0;
@@ -27,16 +26,14 @@ struct FitLimits {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor(kHeads("least_own", 0, 50, "1",
-                   "least log odds of this person's scan against another person's: the skin's misfit, by its "
-                   "size and detail"),
+                   "least log odds of this person's scan against another person's (the skin's misfit, by its "
+                   "size and detail), and against its own mirror image"),
             self.least_own);
     visitor(kMasks("mostly_bare", 0, 1, "1", "share of bare skin below which the face counts as covered"),
             self.mostly_bare);
     visitor(kMirror("mirrored", -50, 0, "1",
                     "log odds against the mirror image below which the scan is mirrored"),
             self.mirrored);
-    visitor(kMirror("least_unmirrored", -5, 20, "1", "least log odds against the mirror image"),
-            self.least_unmirrored);
     visitor(kOdds("rival", 0, 20, "1", "least log odds against the best pose elsewhere"), self.rival);
     visitor(kExtent("least_extent_mm", 10, 200, "mm",
                     "least extent of the measured face, four sigma, across or up"),

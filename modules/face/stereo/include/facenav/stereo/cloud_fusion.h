@@ -47,7 +47,6 @@ class CloudFusion {
   double shared_px_;
   std::vector<Cell> cells_;  // one cell per pixel of the left image
   int clouds_ = 0;
-  double grain_px_ = 0.0;  // largest of the clouds
 };
 
 }  // namespace facenav::stereo

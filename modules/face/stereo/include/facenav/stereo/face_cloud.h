@@ -83,8 +83,6 @@ struct FaceCloud {
   PointCloud<Camera> cloud;              // one point per matched left pixel; unit normals towards the camera
   std::vector<Eigen::Vector2f> left_px;  // the pixel of each point in the left image as recorded
   std::vector<float> sigma_mm;           // predicted standard deviation along the ray, one per point
-  /// Side of a square of pixels, of the left image as recorded, whose points share one error: the window.
-  double grain_px = 0.0;
   /// Median row disagreement of the best matches with the calibration; empty if too few matched.
   std::optional<double> epipolar_median_px;
 };
