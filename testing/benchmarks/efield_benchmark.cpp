@@ -73,10 +73,12 @@ void printModes(const FieldSolver& solver, const Eigen::Matrix3Xd& points, const
 
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 20484;
-  std::printf("## Electric field on the cortex: three balls of 2562 vertices, figure-8 coil, 8 poses\n\n");
+  std::printf(
+      "## Electric field on the cortex: three balls of 2562, 1442 and 1442 vertices, figure-8 coil, 8 "
+      "poses\n\n");
   TaskMonitor monitor;
   const double start_ms = wall_ms(), processor_ms = processorTime_ms();
-  const FieldSolver solver(balls(4, 0.75), {}, monitor);
+  const FieldSolver solver(caseBalls(), {}, monitor);
   std::printf("equations solved in %.1f s (processor %.1f s)\n\n", 1e-3 * (wall_ms() - start_ms),
               1e-3 * (processorTime_ms() - processor_ms));
   Draw draw(1);

@@ -1,8 +1,8 @@
 #include "facenav/prepare/case_field.h"
 
 #include <cmath>
-#include <set>
-#include <tuple>
+#include <cstdint>
+#include <unordered_set>
 
 #include "facenav/casefile/sha256.h"
 #include "facenav/core/error.h"
@@ -17,7 +17,7 @@ constexpr double kFinestCube_mm = 1.5, kCubeStep = 1.08;
 
 /// Name of a model; its number changes with the model's settings or meshes.
 const char* nameOf(FieldTier tier) {
-  return tier == FieldTier::four_shells ? "four shells 1" : "three shells 1";
+  return tier == FieldTier::four_shells ? "four shells 2" : "three shells 2";
 }
 
 /// What a model is made from: settings and the hashes of the case's files.
@@ -29,11 +29,15 @@ std::string modelOf(const casefile::CaseStore& store, FieldTier tier) {
 }
 
 std::vector<std::size_t> onePerCube(const surface::TriangleMesh& cortex, double cube_mm) {
-  std::set<std::tuple<int, int, int>> taken;
+  std::unordered_set<std::uint64_t> taken;
+  taken.reserve(cortex.vertices_mm.size());
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < cortex.vertices_mm.size(); ++i) {
-    const Eigen::Vector3d cube = (cortex.vertices_mm[i] / cube_mm).array().floor();
-    if (taken.emplace(int(cube.x()), int(cube.y()), int(cube.z())).second) chosen.push_back(i);
+    std::uint64_t cube = 0;  // 21 bits an axis
+    for (int axis = 0; axis < 3; ++axis)
+      cube = cube << 21 |
+             (std::uint64_t(std::int64_t(std::floor(cortex.vertices_mm[i][axis] / cube_mm))) & 0x1fffff);
+    if (taken.insert(cube).second) chosen.push_back(i);
   }
   return chosen;
 }
@@ -78,8 +82,8 @@ efield::CortexField buildField(const casefile::CaseStore& store, TaskMonitor& mo
   Eigen::Matrix3Xd points_mm(3, Eigen::Index(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i)
     points_mm.col(Eigen::Index(i)) = cortex->mesh.vertices_mm[vertices[i]];
-  const efield::FieldSolver solver(std::move(head), {}, monitor);
-  efield::CortexField field = efield::makeCortexField(solver, points_mm, monitor);
+  efield::FieldSolver solver(std::move(head), {}, monitor);
+  efield::CortexField field = efield::makeCortexField(std::move(solver), points_mm, monitor);
   efield::writeCortexField(field, model, fieldFile(store, tier));
   return field;
 }

@@ -7,6 +7,7 @@
 
 #include "efield_scene.h"
 #include "facenav/core/whole_file.h"
+#include "model/boundary_system.h"
 #include "support/refusal.h"
 #include "support/test_data.h"
 
@@ -65,6 +66,15 @@ TEST(CortexField, IsTheSameEachTime) {
   const Eigen::Matrix3Xd few = made().field.points_mm.leftCols(20).cast<double>();
   EXPECT_EQ(makeCortexField(made().solver, few, monitor, 32).shapes,
             makeCortexField(made().solver, few, monitor, 32).shapes);
+}
+
+TEST(CortexField, IsTheSameFromASolverThatMayBeUsedUp) {
+  TaskMonitor monitor;
+  FieldSolver solver(balls(2), {}, monitor);
+  const Eigen::Matrix3Xd few = 0.9 * made().field.points_mm.leftCols(20).cast<double>();
+  const CortexField kept = makeCortexField(solver, few, monitor, 32);
+  EXPECT_EQ(makeCortexField(static_cast<FieldSolver&&>(solver), few, monitor, 32).shapes, kept.shapes);
+  EXPECT_EQ(solver.system().lu.size(), 0) << "its memory is free";
 }
 
 TEST(CortexField, RefusesACortexWithoutPoints) {

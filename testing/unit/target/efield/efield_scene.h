@@ -25,6 +25,15 @@ inline HeadModel balls(int divisions, double upper_scale = 1.0) {
           ball(kInnerSkull_mm, divisions, upper_scale)};
 }
 
+/// Balls with the meshes that a case has: 2562 vertices on the inner skull, 1442 on the others, finer above.
+inline HeadModel caseBalls() {
+  ShellMesh coarser = geodesicSphere(outerParts(4), 0.75);
+  HeadModel head{coarser, coarser, ball(kInnerSkull_mm, 4, 0.75)};
+  head.scalp.vertices_mm *= kScalp_mm;
+  head.outer_skull.vertices_mm *= kOuterSkull_mm;
+  return head;
+}
+
 /// Figure-8 of 70 mm, moments matched (Thielscher and Kammer 2004 for the winding).
 inline CoilDipoles figureEight() {
   CoilDipoles coil;

@@ -166,6 +166,22 @@ TEST(Icosphere, IsFinerAboveAndStaysASphere) {
   requireClosed(graded, "ball");
 }
 
+TEST(GeodesicSphere, HasTheVerticesOfItsPieces) {
+  for (const int parts : {1, 3, 12}) {
+    const ShellMesh sphere = geodesicSphere(parts), graded = geodesicSphere(parts, 0.75);
+    ASSERT_EQ(sphere.vertices_mm.cols(), 10 * parts * parts + 2);
+    ASSERT_EQ(sphere.triangles.cols(), 20 * parts * parts);
+    EXPECT_NEAR(sphere.vertices_mm.colwise().norm().minCoeff(), 1, 1e-12);
+    EXPECT_NEAR(graded.vertices_mm.colwise().norm().minCoeff(), 1, 1e-12);
+    for (const ShellMesh* mesh : {&sphere, &graded}) requireClosed(*mesh, "ball");
+  }
+  const Eigen::VectorXd edges = vertexEdges_mm(geodesicSphere(12));
+  EXPECT_LT(edges.maxCoeff() / edges.minCoeff(), 1.3) << "about even";
+  EXPECT_EQ(outerParts(4), 12);
+  EXPECT_EQ(outerParts(2), 3);
+  EXPECT_EQ(outerParts(0), 1);
+}
+
 TEST(LinearSolidAngles, AgreeWithASumOverSmallTriangles) {
   const Vector3d a(3, -1, 2), b(1, 4, 3), c(-2, 0, 2.5);
   const Vector3d normal = (b - a).cross(c - a).normalized();

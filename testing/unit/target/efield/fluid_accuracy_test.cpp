@@ -1,6 +1,6 @@
-// The goals of accuracy of four shells: 10,242 vertices of the brain and 3 x 2562 of the others, somewhat
-// fewer than cases have. In balls against the closed form, which does not depend on the fluid; in a bumpy
-// ellipsoid, where it does, a mesh of half that fineness against this one.
+// The goals of accuracy of four shells: 10,242 vertices of the brain, somewhat fewer than cases have, and the
+// other surfaces as in cases. In balls against the closed form, which does not depend on the fluid; in a
+// bumpy ellipsoid, where it does, a mesh of half that fineness against this one.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr double kBrain_mm = 76;
 
 TEST(FluidAccuracy, InBallsMeetsItsGoals) {
-  HeadModel head = balls(4, 0.75);
+  HeadModel head = caseBalls();
   head.brain = ball(kBrain_mm, 5, 0.75);
   TaskMonitor monitor;
   const FieldSolver solver(head, {}, monitor);

@@ -44,6 +44,21 @@ TEST(HeadModel, OfBallsHasTheirRadii) {
     requireClosed(*mesh, "ball");
 }
 
+TEST(RadialShell, InOtherDirectionsIsTheSameSurface) {
+  RadialShell shell{Vector3d(3, -2, 5), icosphere(4, 0.75), {}};
+  const auto radius_mm = [](const auto& d) { return 80 + 5 * d.x() - 4 * d.y() * d.z(); };
+  shell.radius_mm.resize(shell.directions.vertices_mm.cols());
+  for (Eigen::Index i = 0; i < shell.radius_mm.size(); ++i)
+    shell.radius_mm[i] = radius_mm(shell.directions.vertices_mm.col(i));
+  const RadialShell coarser = inDirections(shell, geodesicSphere(12, 0.75));
+  ASSERT_EQ(coarser.radius_mm.size(), 1442);
+  EXPECT_EQ(coarser.middle, shell.middle);
+  for (Eigen::Index i = 0; i < coarser.radius_mm.size(); ++i)
+    EXPECT_NEAR(coarser.radius_mm[i], radius_mm(coarser.directions.vertices_mm.col(i)), 0.02);
+  const RadialShell same = inDirections(shell, shell.directions);
+  EXPECT_LT((same.radius_mm - shell.radius_mm).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST(HeadModel, OfASmallHeadStaysNested) {
   const HeadModel head = buildHeadModel(maskOf(inBall(55)), maskOf(inBall(64)), {}, 3);
   EXPECT_NEAR(meanRadius(head.outer_skull) - meanRadius(head.inner_skull), 0.4 * 6, 0.5);

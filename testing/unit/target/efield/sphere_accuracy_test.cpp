@@ -1,4 +1,4 @@
-// The goals of accuracy with the mesh that cases use: 3 x 2562 vertices, finer above, in balls.
+// The goals of accuracy with the mesh that cases use: caseBalls() in efield_scene.h.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 TEST(SphereAccuracy, OfTheFineMeshMeetsItsGoals) {
   TaskMonitor monitor;
-  const FieldSolver solver(balls(4, 0.75), {}, monitor);
+  const FieldSolver solver(caseBalls(), {}, monitor);
   Draw draw(12);
   // Without modes.
   const std::pair<double, double> kDepthAndMost[] = {

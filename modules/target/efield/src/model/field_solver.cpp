@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "facenav/core/error.h"
 #include "facenav/surface/closest_point.h"
 #include "model/boundary_system.h"
 #include "model/shell_surface.h"
@@ -35,20 +36,24 @@ FieldSolver::~FieldSolver() = default;
 FieldSolver::FieldSolver(FieldSolver&&) noexcept = default;
 FieldSolver& FieldSolver::operator=(FieldSolver&&) noexcept = default;
 
+void FieldSolver::dropEquations() { system_->lu.resize(0, 0); }
+
 Eigen::Matrix3Xd FieldSolver::fieldAt(const CoilDipoles& coil,
                                       const RigidTransform<Mri, frames::Coil>& mri_T_coil,
                                       const Eigen::Matrix3Xd& points_mm) const {
+  FACENAV_EXPECT(system_->lu.size() > 0, "the equations, which dropEquations() frees");
   const DipoleArray dipoles = dipolesAt(coil, mri_T_coil);
   Eigen::MatrixXf weights = fluxOf(*system_, dipoles);
   system_->removeMeans(weights);
   dense::solveTransposed(dense::viewOf(system_->lu), system_->pivots, dense::viewOf(weights));
   const Eigen::VectorXf weight = weights.col(0) / float(4 * M_PI);
   constexpr Index kAtOnce = 256;
+  PullBlocks pull_blocks(*system_);
   Eigen::Matrix3Xd field(3, points_mm.cols());
   for (Index first = 0; first < points_mm.cols(); first += kAtOnce) {
     const Index count = std::min(kAtOnce, points_mm.cols() - first);
     const PointArrays block(points_mm.middleCols(first, count));
-    const Eigen::MatrixXf pulls = pullsAt(*system_, block);
+    const Eigen::MatrixXf& pulls = pull_blocks.at(block);
     const Index padded = block.x.size();
     for (Index p = 0; p < count; ++p) {
       Vector3d sum = ownField(dipoles, points_mm.col(first + p));

@@ -1,5 +1,6 @@
 #include "model/radial_shell.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +25,33 @@ Eigen::VectorXd RadialShell::cosines() const {
   for (Index i = 0; i < cosines.size(); ++i)
     cosines[i] = std::max(kSteepest, areas.col(i).normalized().dot(directions.vertices_mm.col(i)));
   return cosines;
+}
+
+RadialShell inDirections(const RadialShell& shell, const ShellMesh& directions) {
+  const ShellMesh& old = shell.directions;
+  std::vector<Eigen::Matrix3d> shares_of;  // a direction to its shares of a triangle's corners
+  for (const auto triangle : old.triangles.colwise()) {
+    Eigen::Matrix3d corners;
+    for (int c = 0; c < 3; ++c) corners.col(c) = old.vertices_mm.col(triangle[c]);
+    shares_of.push_back(corners.inverse());
+  }
+  RadialShell result{shell.middle, directions, Eigen::VectorXd(directions.vertices_mm.cols())};
+  parallelRanges(0, int(result.radius_mm.size()), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      double best = -1e9;
+      Eigen::Vector3d shares = Eigen::Vector3d::Zero();
+      Index at = 0;
+      for (std::size_t t = 0; t < shares_of.size(); ++t) {
+        const Eigen::Vector3d here = shares_of[t] * directions.vertices_mm.col(i);
+        // The triangle that the direction meets has no negative share, the opposite one has no positive one.
+        if (here.minCoeff() > best) best = here.minCoeff(), shares = here, at = Index(t);
+      }
+      double sum_mm = 0;
+      for (int c = 0; c < 3; ++c) sum_mm += shares[c] * shell.radius_mm[old.triangles(c, at)];
+      result.radius_mm[i] = sum_mm / shares.sum();
+    }
+  });
+  return result;
 }
 
 Eigen::VectorXd smoothedOn(const ShellMesh& mesh, Eigen::VectorXd values, int steps) {

@@ -1,6 +1,7 @@
 #include "facenav/efield/shell_mesh.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -51,6 +52,48 @@ ShellMesh divided(const ShellMesh& coarse) {
   return fine;
 }
 
+/// Numbers of vertices by their place: those on an edge belong to several faces.
+class SphereNet {
+ public:
+  /// Number of the vertex on the unit sphere in this direction.
+  int vertex(const Vector3d& direction) {
+    const Vector3d place = direction.normalized();
+    constexpr double kParts = 1e6;  // of a length of 1; vertices lie much farther apart
+    const std::array<long, 3> key = {std::lround(kParts * place.x()), std::lround(kParts * place.y()),
+                                     std::lround(kParts * place.z())};
+    const auto [found, is_new] = numbers_.try_emplace(key, int(vertices_.size()));
+    if (is_new) vertices_.push_back(place);
+    return found->second;
+  }
+  void addTriangle(int a, int b, int c) { triangles_.emplace_back(a, b, c); }
+  ShellMesh mesh() const {
+    ShellMesh mesh{Eigen::Matrix3Xd(3, Eigen::Index(vertices_.size())),
+                   Eigen::Matrix3Xi(3, Eigen::Index(triangles_.size()))};
+    for (std::size_t i = 0; i < vertices_.size(); ++i) mesh.vertices_mm.col(Eigen::Index(i)) = vertices_[i];
+    for (std::size_t t = 0; t < triangles_.size(); ++t) mesh.triangles.col(Eigen::Index(t)) = triangles_[t];
+    return mesh;
+  }
+
+ private:
+  std::map<std::array<long, 3>, int> numbers_;
+  std::vector<Vector3d> vertices_;
+  std::vector<Vector3i> triangles_;
+};
+
+/// Moves the vertices of a unit sphere towards its top: stereographic projection from the lowest point,
+/// scaling of the plane, and back.
+void grade(ShellMesh& mesh, double upper_scale) {
+  if (upper_scale == 1.0) return;
+  const double square = upper_scale * upper_scale;
+  for (auto vertex : mesh.vertices_mm.colwise()) {
+    const double up = 1 + vertex.z(), down = 1 - vertex.z(), sum = up + square * down;
+    const double z = (up - square * down) / sum;
+    vertex.head<2>() *= 2 * upper_scale / sum;
+    vertex.z() = z;
+    vertex.normalize();
+  }
+}
+
 /// Calls visit(corner numbers, area vector) for each triangle.
 template <class Visit>
 void forTriangles(const ShellMesh& mesh, Visit&& visit) {
@@ -67,16 +110,31 @@ void forTriangles(const ShellMesh& mesh, Visit&& visit) {
 ShellMesh icosphere(int divisions, double upper_scale) {
   ShellMesh mesh = icosahedron();
   for (int i = 0; i < divisions; ++i) mesh = divided(mesh);
-  if (upper_scale == 1.0) return mesh;
-  // Stereographic projection from the lowest point, scaling of the plane, and back.
-  const double square = upper_scale * upper_scale;
-  for (auto vertex : mesh.vertices_mm.colwise()) {
-    const double up = 1 + vertex.z(), down = 1 - vertex.z(), sum = up + square * down;
-    const double z = (up - square * down) / sum;
-    vertex.head<2>() *= 2 * upper_scale / sum;
-    vertex.z() = z;
-    vertex.normalize();
+  grade(mesh, upper_scale);
+  return mesh;
+}
+
+ShellMesh geodesicSphere(int parts, double upper_scale) {
+  FACENAV_EXPECT(parts > 0, "edges in pieces");
+  const ShellMesh coarse = icosahedron();
+  SphereNet net;
+  for (const auto face : coarse.triangles.colwise()) {
+    const Vector3d a = coarse.vertices_mm.col(face[0]), b = coarse.vertices_mm.col(face[1]),
+                   c = coarse.vertices_mm.col(face[2]);
+    const double edge_rad = std::acos(a.dot(b));
+    // Sines in place of the shares themselves cut each edge into equal angles.
+    const auto at = [&](int i, int j) {
+      const auto share = [&](int count) { return std::sin(edge_rad * count / parts); };
+      return net.vertex(share(parts - i - j) * a + share(i) * b + share(j) * c);
+    };
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; i + j < parts; ++j) {
+        net.addTriangle(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < parts) net.addTriangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
   }
+  ShellMesh mesh = net.mesh();
+  grade(mesh, upper_scale);
   return mesh;
 }
 

@@ -55,6 +55,22 @@ void spreadNear(const BoundarySystem& system, const Eigen::Vector3f& place, Eige
   }
 }
 
+void writePulls(const BoundarySystem& system, const PointArrays& points, Eigen::MatrixXf& pulls) {
+  const Index count = points.x.size();
+  pulls.resize(system.vertices.x.size(), 3 * count);
+  parallelRanges(0, int(count), [&](int begin, int end) {
+    Eigen::VectorXf squares;
+    for (int p = begin; p < end; ++p) {
+      float* const columns[3] = {pulls.col(p).data(), pulls.col(count + p).data(),
+                                 pulls.col(2 * count + p).data()};
+      const Eigen::Vector3f place(points.x[p], points.y[p], points.z[p]);
+      kernels::kernel().pull(
+          {system.vertices.points(), {place.x(), place.y(), place.z()}, columns[0], columns[1], columns[2]});
+      spreadNear(system, place, squares, columns);
+    }
+  });
+}
+
 }  // namespace
 
 DipoleArray dipolesAt(const CoilDipoles& coil, const RigidTransform<Mri, frames::Coil>& mri_T_coil) {
@@ -99,20 +115,14 @@ Eigen::MatrixXf primaryOfEach(const PointArrays& points, const SourceArray& sour
 }
 
 Eigen::MatrixXf pullsAt(const BoundarySystem& system, const PointArrays& points) {
-  const Index count = points.x.size(), size = system.vertices.x.size();
-  Eigen::MatrixXf pulls(size, 3 * count);
-  parallelRanges(0, int(count), [&](int begin, int end) {
-    Eigen::VectorXf squares;
-    for (int p = begin; p < end; ++p) {
-      float* const columns[3] = {pulls.col(p).data(), pulls.col(count + p).data(),
-                                 pulls.col(2 * count + p).data()};
-      const Eigen::Vector3f place(points.x[p], points.y[p], points.z[p]);
-      kernels::kernel().pull(
-          {system.vertices.points(), {place.x(), place.y(), place.z()}, columns[0], columns[1], columns[2]});
-      spreadNear(system, place, squares, columns);
-    }
-  });
+  Eigen::MatrixXf pulls;
+  writePulls(system, points, pulls);
   return pulls;
+}
+
+const Eigen::MatrixXf& PullBlocks::at(const PointArrays& points) {
+  writePulls(system_, points, pulls_);
+  return pulls_;
 }
 
 }  // namespace facenav::efield

@@ -38,5 +38,16 @@ Eigen::MatrixXf primaryOfEach(const PointArrays& points, const SourceArray& sour
 /// Pull of the system's vertices: one column per row of primaryOfEach, in the same order; times weights / 4
 /// pi gives the secondary field in field units.
 Eigen::MatrixXf pullsAt(const BoundarySystem& system, const PointArrays& points);
+/// pullsAt() for one block of points after the other, in the same memory.
+class PullBlocks {
+ public:
+  explicit PullBlocks(const BoundarySystem& system) : system_(system) {}
+  /// Counts until the next call.
+  const Eigen::MatrixXf& at(const PointArrays& points);
+
+ private:
+  const BoundarySystem& system_;
+  Eigen::MatrixXf pulls_;
+};
 
 }  // namespace facenav::efield

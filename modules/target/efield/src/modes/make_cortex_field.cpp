@@ -1,12 +1,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <random>
 
 #include "dense/product.h"
 #include "facenav/core/error.h"
 #include "facenav/efield/cortex_field.h"
+#include "facenav/surface/closest_point.h"
+#include "model/shell_surface.h"
 #include "modes/packed_modes.h"
 #include "modes/training_sources.h"
 
@@ -23,8 +26,8 @@ constexpr int kMoreColumns =
     192;                         // of the random sketch, beyond the modes kept (Halko 2011, SIAM Rev 53:217)
 constexpr Index kSubset = 1000;  // points on which modes are made orthogonal
 constexpr Index kPointBlock = 512;  // points whose rows are made together
-constexpr Index kSamples = 642;     // vertices of the skull at which the coil's field is taken
-constexpr int kFitSteps = 8;        // of the iterated ridge regression
+constexpr Index kSamples = 642;     // vertices of the skull next to which the coil's field is taken
+constexpr int kFitSteps = 4;        // of the iterated ridge regression
 constexpr float kFitRidge = 1e-7f;  // relative to the sum of the squares
 
 const auto kShare = float(1 / (4 * M_PI));
@@ -52,17 +55,27 @@ Eigen::Matrix3Xd subsetOf(const Eigen::Matrix3Xd& points) {
   return subset;
 }
 
+/// Places on the outer skull next to the first vertices of the inner skull, which are spread evenly.
+Eigen::Matrix3Xd samplePlaces(const HeadModel& head) {
+  const surface::ClosestPoint skull(triangleMesh(head.outer_skull));
+  const Eigen::Matrix3Xd& inner = head.inner_skull.vertices_mm;
+  Eigen::Matrix3Xd places = inner.leftCols(std::min(kSamples, inner.cols()));
+  for (auto place : places.colwise()) place = skull.nearest(Point<Mri>(place)).point.mm;
+  return places;
+}
+
 class ModeMaker {
  public:
-  ModeMaker(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm, TaskMonitor& monitor)
+  /// `drop`: called when the factorised equations are not needed any more.
+  ModeMaker(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm, TaskMonitor& monitor,
+            std::function<void()> drop)
       : system_(solver.system()),
         monitor_(monitor),
+        drop_(std::move(drop)),
         points_mm_(points_mm),
         subset_(subsetOf(points_mm)),
         subset_pulls_(pullsAt(system_, subset_)) {
-    const Eigen::Matrix3Xd& skull = solver.head().outer_skull.vertices_mm;
-    samples_mm_ = skull.leftCols(std::min(kSamples, skull.cols()));
-    samples_ = PointArrays(samples_mm_);
+    samples_ = PointArrays(samplePlaces(solver.head()));
     lowest_z_mm_ = solver.innermost().vertices_mm.row(2).minCoeff();
     scalp_ = &solver.head().scalp;
   }
@@ -71,6 +84,8 @@ class ModeMaker {
     sketch(most_modes + kMoreColumns);
     orthogonalise(most_modes);
     takeIn();
+    subset_pulls_.resize(0, 0);
+    drop_();
     CortexField field;
     field.points_mm = points_mm_.cast<float>();
     field.samples_mm.resize(3, samples_.x.size());
@@ -183,12 +198,13 @@ class ModeMaker {
   /// The modes at all points.
   void spread(CortexField& field) {
     PackedShapes shapes(points_mm_.cols(), subset_modes_.cols());
+    PullBlocks pull_blocks(system_);
     for (Index first = 0; first < points_mm_.cols(); first += kPointBlock) {
       monitor_.report("electric field: modes", 0.7 + 0.3 * double(first) / double(points_mm_.cols()));
       const Index count = std::min(kPointBlock, points_mm_.cols() - first);
       const PointArrays block(points_mm_.middleCols(first, count));
       MatrixXf rows = product(primaryOfEach(block, sources_), mixture_);
-      const MatrixXf pulls = pullsAt(system_, block);
+      const MatrixXf& pulls = pull_blocks.at(block);
       addProduct(viewOf(rows), 1.f, viewOf(pulls).part(0, 0, system_.size(), rows.rows()).transposed(),
                  viewOf(weights_));
       shapes.add(rows * float(kFieldOfUnits), first, count);
@@ -198,10 +214,10 @@ class ModeMaker {
 
   const BoundarySystem& system_;
   TaskMonitor& monitor_;
+  std::function<void()> drop_;
   const Eigen::Matrix3Xd& points_mm_;
   PointArrays subset_;
   MatrixXf subset_pulls_;
-  Eigen::Matrix3Xd samples_mm_;
   PointArrays samples_;
   double lowest_z_mm_ = 0;
   const ShellMesh* scalp_ = nullptr;
@@ -214,14 +230,28 @@ class ModeMaker {
 
 }  // namespace
 
-CortexField makeCortexField(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm,
-                            TaskMonitor& monitor, int most_modes) {
+namespace {
+
+CortexField madeField(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm, TaskMonitor& monitor,
+                      int most_modes, std::function<void()> drop) {
   FACENAV_EXPECT(most_modes > 0 && most_modes % kernels::kBlock == 0, "whole blocks of modes");
   if (points_mm.cols() == 0) throw Error("the cortex has no points", {}, "prepare the case again");
   const ReachablePoints reachable = reachablePoints(solver.innermost(), points_mm);
-  CortexField field = ModeMaker(solver, reachable.points_mm, monitor).make(most_modes);
+  CortexField field = ModeMaker(solver, reachable.points_mm, monitor, std::move(drop)).make(most_modes);
   field.is_moved.assign(reachable.is_moved.begin(), reachable.is_moved.end());
   return field;
+}
+
+}  // namespace
+
+CortexField makeCortexField(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm,
+                            TaskMonitor& monitor, int most_modes) {
+  return madeField(solver, points_mm, monitor, most_modes, [] {});
+}
+
+CortexField makeCortexField(FieldSolver&& solver, const Eigen::Matrix3Xd& points_mm, TaskMonitor& monitor,
+                            int most_modes) {
+  return madeField(solver, points_mm, monitor, most_modes, [&solver] { solver.dropEquations(); });
 }
 
 }  // namespace facenav::efield

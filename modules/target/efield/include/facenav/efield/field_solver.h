@@ -33,10 +33,12 @@ class FieldSolver {
   /// Surface of the compartment in which fields are computed.
   const ShellMesh& innermost() const { return head_.brain ? *head_.brain : head_.inner_skull; }
   const BoundarySystem& system() const { return *system_; }
+  /// Frees the factorised equations, nearly all of the memory. fieldAt() must not be called any more.
+  void dropEquations();
 
  private:
   HeadModel head_;
-  std::unique_ptr<const BoundarySystem> system_;
+  std::unique_ptr<BoundarySystem> system_;
 };
 
 /// Points of the cortex where the mesh gives a field.

@@ -18,6 +18,9 @@ struct ShellMesh {
 /// a coarser sphere come first. `upper_scale` < 1 makes triangles smaller towards +z and larger towards -z by
 /// a conformal map, so that they keep their shape: 0.75 gives edges of 0.75 the length at the top.
 ShellMesh icosphere(int divisions, double upper_scale = 1.0);
+/// Unit sphere from an icosahedron whose edges are cut into `parts` pieces: 10 parts^2 + 2 vertices. Graded
+/// as icosphere().
+ShellMesh geodesicSphere(int parts, double upper_scale = 1.0);
 
 /// Area vectors of each vertex, mm^2: a third of the sum over its triangles (outward).
 Eigen::Matrix3Xd vertexAreas_mm2(const ShellMesh& mesh);
