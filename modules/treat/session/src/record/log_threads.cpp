@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "facenav/casefile/session_pulses.h"
+#include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/without_folders.h"
@@ -117,6 +118,13 @@ void TreatmentLog::Implementation::setFailure(const std::string& words) {
   failure = words;
 }
 
+/// Says what failed. A folder that was removed is named as such, whichever of its files was to be written.
+std::string TreatmentLog::Implementation::faultWords(const std::exception& error) const {
+  if (std::filesystem::exists(folder / "events.jsonl")) return error.what();
+  return Error("cannot be written (it was removed)", folder.string(), "leave the case's folder in its place")
+      .what();
+}
+
 /// Runs `work`. On a fault of the disk, reports it and tries again after a second.
 template <class Work>
 void TreatmentLog::Implementation::tried(Work work) {
@@ -131,11 +139,12 @@ void TreatmentLog::Implementation::tried(Work work) {
     }
     work();
   } catch (const std::exception& error) {
+    const std::string words = faultWords(error);
     if (!broken) {
-      logWarning(std::string("the session's log is interrupted: ") + error.what());
+      logWarning("the session's log is interrupted: " + words);
       broken = Timestamp::now();
     }
-    setFailure(error.what());
+    setFailure(words);
     retry = {Timestamp::now().s + kLogRetry_s};
   }
 }

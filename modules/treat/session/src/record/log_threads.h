@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -71,6 +72,7 @@ struct TreatmentLog::Implementation {
   void write(const NavigationState& state);
   template <class Work>
   void tried(Work work);
+  std::string faultWords(const std::exception& error) const;
   void setFailure(const std::string& words);
   void awaitPulses() const;
   void end();
