@@ -131,6 +131,20 @@ on_display() {  # runs a command on the desktop's display, or on a virtual one
   if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "$@"; fi
 }
 
+run_ctest() {  # JOBS ARGS..
+  xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$@"
+}
+
+# TIER(default|full) ARGS..: first the tests that compute, one a core; then those that mostly wait (label waits), two a core.
+run_tests() {
+  local tier=$1 failed=0; shift
+  local computing=(-LE '^(full|waits)$') waiting=(-L '^waits$' -LE '^full$')
+  if [ "$tier" = full ]; then computing=(-L '^full$' -LE '^waits$') waiting=(-L '^full$' -L '^waits$'); fi
+  run_ctest "$(nproc)" "${computing[@]}" "$@" || failed=1
+  run_ctest "$((2 * $(nproc)))" "${waiting[@]}" "$@" || failed=1
+  return "$failed"
+}
+
 # Once tests have been built, later builds include them, so that demo and test do not rebuild each other's work.
 tests_wanted() { grep -q 'FACENAV_BUILD_TESTS:BOOL=ON' build/release/CMakeCache.txt 2>/dev/null && echo ON || echo OFF; }
 
@@ -196,15 +210,15 @@ case "${1:-}" in
       install_packages "${package_test_packages[@]}"
       exec resources/package/test_packages.sh build/release/packages
     fi
-    tier=(-LE full)
-    if [ "${1:-}" = --full ]; then tier=(-L full); shift; fi
+    tier=default
+    if [ "${1:-}" = --full ]; then tier=full; shift; fi
     set_up "${packages[@]}" "${test_packages[@]}"
     install_orthanc
     fetch_virtual_patient
     build ON all facenav-lab
     "$binaries/facenav" demo --only-patient || fail "the virtual patient's MRI could not be converted"
     say "running the tests"
-    xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' ctest --test-dir build/release --output-on-failure -j "$(nproc)" "${tier[@]}" "$@"
+    run_tests "$tier" "$@"
     ;;
   check)
     shift

@@ -45,6 +45,8 @@ function(facenav_test_entry)
   endif()
 endfunction()
 
+# An entry whose `why` says "in real time" or "waits for" uses little of a core: it gets the label `waits`, and
+# `./facenav.sh test` runs two of them on a core.
 # facenav_test_entries(NAME n PROGRAM p SOURCES .. [APART "a_test.cpp|why" ..] [FULL "b_test.cpp|why" ..] [.. of every entry])
 # One entry `n` for all files, but one each (`n/a`) for those of APART and FULL. `why` names what takes time and
 # becomes a label. FULL: only the full tier runs it (`./facenav.sh test --full`).
@@ -71,6 +73,9 @@ function(facenav_test_entries)
       list(REMOVE_ITEM together ${source})
       string(REGEX REPLACE "_test.cpp$" "" short ${source})
       set(labels ${E_LABELS} "${why}")
+      if(why MATCHES "in real time|waits for")
+        list(APPEND labels waits)
+      endif()
       if(tier STREQUAL FULL)
         list(APPEND labels full)
       endif()

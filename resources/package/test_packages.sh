@@ -36,7 +36,7 @@ dpkg-deb -x "$deb" "$root"
 check "the desktop entry is valid" desktop-file-validate "$root/usr/share/applications/facenav.desktop"
 check "the MIME types are valid" update-mime-database "$root/usr/share/mime"
 check "a case.json is a FaceNav case" grep -q 'application/x-facenav-case' "$root/usr/share/mime/globs2"
-check "no program names the build tree as a place of data" bash -c '! strings -a "$1"/usr/bin/* | grep -q "$2/Data"' _ "$root" "$source"
+check "no program holds a path of the source tree" bash -c '! strings -a "$1"/usr/bin/* | grep -q -F "$2/"' _ "$root" "$source"
 
 # An environment without build tree, cache and settings, and a home of its own.
 home=$place/home

@@ -12,7 +12,7 @@
 
 namespace facenav::ui::fixtures {
 
-inline bool waitFor(const std::function<bool()>& condition, int limit_ms = 20000) {
+inline bool waitFor(const std::function<bool()>& condition, int limit_ms = 60000) {
   QElapsedTimer timer;
   timer.start();
   while (!condition() && timer.elapsed() < limit_ms) {
@@ -20,6 +20,14 @@ inline bool waitFor(const std::function<bool()>& condition, int limit_ms = 20000
     QThread::msleep(1);  // leaves the core to the work that is waited for
   }
   return condition();
+}
+
+/// Lets a window lay out and paint what has changed. Words that a timer of the page shows must be waited for.
+inline void layOut() {
+  for (int i = 0; i < 5; ++i) {
+    QApplication::sendPostedEvents();
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
 }
 
 using testing::ballCase;

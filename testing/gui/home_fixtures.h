@@ -54,11 +54,16 @@ inline Services homeServices(std::shared_ptr<Seen> seen,
 }
 
 inline fs::path writeCapturedRecording(const fs::path& folder) {
-  capture::RecordingWriter writer(folder / "recording", fakes::rig());
-  const auto frame = fakes::frame(0, 0);
-  writer.setCapture({*frame, *frame});
-  for (int i = 0; i < 2000; ++i) writer.add(*fakes::frame(i, i * 0.02));
-  writer.close();
+  testing::shareRecording(
+      "captured",
+      [](const fs::path& place) {
+        capture::RecordingWriter writer(place, fakes::rig());
+        const auto frame = fakes::frame(0, 0);
+        writer.setCapture({*frame, *frame});
+        for (int i = 0; i < 2000; ++i) writer.add(*fakes::frame(i, i * 0.02));
+        writer.close();
+      },
+      folder / "recording");
   return folder / "recording";
 }
 

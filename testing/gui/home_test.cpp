@@ -140,6 +140,7 @@ TEST_F(HomePresenterTest, ALostFaceTakesTheArrowAway) {
 TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   const auto take = [](QWidget& window, const QString& name) {
+    QTest::qWait(70);  // longer than the window's refresh
     if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
       window.grab().save(QString("%1/home_%2.png").arg(pictures, name));
   };
@@ -154,21 +155,18 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
     home.open(QString::fromStdString(case_.string()));
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::sit; }));
     home.play(QString::fromStdString(recording_.string()));
-    QTest::qWait(200);
     take(window, QString("sit_") + name);
     QApplication::setActiveWindow(&window);
     seen_->coil = false;
     QTest::keyClick(&window, Qt::Key_Return);
     ASSERT_TRUE(fixtures::waitFor([&] { return home.stage() == Stage::guiding; }));
     ASSERT_TRUE(fixtures::waitFor([&] { return home.advice().step == steps::HomeStep::hold; }));
-    QTest::qWait(200);
     take(window, QString("hold_") + name);
     seen_->coil = true;
     auto* sign = window.findChild<SignView*>();
     ASSERT_TRUE(fixtures::waitFor([&] { return sign->sign() == steps::HomeSign::arrow; }));
     QTest::keyClick(&window, Qt::Key_P);
     ASSERT_TRUE(fixtures::waitFor([&] { return home.pulseCounts().outside == 1; }));
-    QTest::qWait(200);
     take(window, QString("follow_") + name);
     EXPECT_EQ(window.size(), size) << "no words widen the window";
     for (int i = 0; i < 2; ++i) QTest::keyClick(&window, Qt::Key_Return);
@@ -176,7 +174,6 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
     for (auto* step : window.findChildren<FittedWords*>())
       EXPECT_FALSE(step->words().contains(QChar(0x2713))) << "no pulse was on target";
     home.save(QString::fromStdString((folder_.path() / (std::string(name) + ".zip")).string()));
-    QTest::qWait(200);
     take(window, QString("ended_") + name);
   }
   applyAppearance(*qApp, 1.0);
@@ -189,7 +186,6 @@ TEST_F(HomePresenterTest, TheWindowWorksByKeyboardAndFitsEverySize) {
   refused.presenter().play(QString::fromStdString(recording_.string()));
   refused.presenter().act();
   ASSERT_TRUE(fixtures::waitFor([&] { return refused.findChild<SignView*>()->isRefused(); }));
-  QTest::qWait(200);
   take(refused, "refused_1366");
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QtTest/QTest>
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <thread>
@@ -49,9 +50,15 @@ capture::FoundCamera keptCamera(const std::string& number, const std::string& se
 }
 
 void keepPicture(QWidget& window, const QString& name) {
-  QTest::qWait(400);
+  fixtures::layOut();
   if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
     window.grab().save(QString("%1/%2.png").arg(pictures, name));
+}
+
+/// Waits until the window's sentence contains `words`.
+bool showsSentence(const SetupWindow& window, const char* words) {
+  const auto* sentence = window.findChild<FittedWords*>("setup_sentence");
+  return fixtures::waitFor([&] { return sentence->words().contains(words); });
 }
 
 /// The button whose tip contains `tip`.
@@ -253,7 +260,12 @@ TEST_F(KeptRig, TheWindowOffersTheRepairAtEverySize) {
     ASSERT_TRUE(fixtures::waitFor([&] { return buttonOf(*panel, "live pictures")->isEnabled(); }));
     buttonOf(*panel, "live pictures")->click();
     ASSERT_TRUE(fixtures::waitFor([&] { return bool(verifying_.told); }));
-    const auto takeAll = [&](const QString& name) {
+    const auto takeAll = [&](const QString& name, const char* words) {
+      EXPECT_TRUE(fixtures::waitFor([&] {
+        const auto labels = panel->findChildren<QLabel*>("verdict");
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const auto* label) { return label->text().contains(words); });
+      })) << words;
       for (const QSize size :
            scale > 1 ? std::vector<QSize>{{1920, 1080}} : std::vector<QSize>{{1366, 768}, {1920, 1080}}) {
         window.resize(size);
@@ -263,19 +275,20 @@ TEST_F(KeptRig, TheWindowOffersTheRepairAtEverySize) {
       }
     };
     tell(RigState::holds, "the calibration holds: the coil's marker measures 60.02 mm, 60.00 mm true");
-    takeAll("holds");
+    takeAll("holds", "the calibration holds");
     tell(RigState::moved,
          "the cameras have moved against each other since their calibration (the right one turned by about "
          "0.40 "
          "deg, marker measured 61.30 mm instead of 60.00 mm, rows 0.31 px apart): calibrate again");
-    takeAll("moved");
+    takeAll("moved", "have moved against each other");
     const auto* repair = buttonOf(*panel, "four steps");
     EXPECT_TRUE(repair->isEnabled());
     EXPECT_TRUE(repair->text().contains("repair")) << repair->text().toStdString();
     EXPECT_EQ(repair->objectName(), "primary");
     const auto* step = stepOf(window, "1 Cameras");
     ASSERT_TRUE(step);
-    EXPECT_TRUE(step->text().contains(QChar(0x2715))) << step->text().toStdString();
+    EXPECT_TRUE(fixtures::waitFor([&] { return step->text().contains(QChar(0x2715)); }))
+        << step->text().toStdString();
     verifying_ = {};
   }
   applyAppearance(*qApp, 1.0);
@@ -356,7 +369,7 @@ TEST_F(KeptRig, TheSetUpSaysWhatToDoAboutTheConnectedCameras) {
       ASSERT_TRUE(fixtures::waitFor([&] { return setup.sentence().contains(each.words); }))
           << each.name << ": " << setup.sentence().toStdString();
       EXPECT_EQ(setup.sentence().count('\n'), 0);
-      QTest::qWait(50);
+      EXPECT_TRUE(showsSentence(window, each.words)) << each.name;
       EXPECT_EQ(setup.canOpen(), each.can_open) << each.name;
       if (!scene::hasDisplay()) continue;
       for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {

@@ -7,7 +7,6 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableView>
 #include <QTableWidget>
 #include <algorithm>
@@ -17,55 +16,22 @@
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
 #include "facenav/core/whole_file.h"
-#include "facenav/efield/coil_file.h"
 #include "facenav/home/home_case.h"
 #include "facenav/scene/display.h"
-#include "facenav/treat/mep_by_field.h"
-#include "gui_fixtures.h"
 #include "pdf_text.h"
-#include "review/field_map_presenter.h"
 #include "review/pulse_table.h"
 #include "review/review_workspace.h"
 #include "review/sessions_panel.h"
+#include "review_fixtures.h"
 #include "shell/main_window.h"
 #include "shell/scene_view.h"
-#include "support/made_session.h"
-#include "support/made_xdf.h"
 
 namespace facenav::ui {
 namespace {
 
-namespace fs = std::filesystem;
+using namespace review_fixtures;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-guidance::Target someTarget(const casefile::PreparedCase& prepared) {
-  return guidance::planTarget("M1 hand L", prepared.scalp, Point<Mri>(-28, 4, 28), 0.8, 4.0);
-}
-
-class ReviewTest : public ::testing::Test {
- protected:
-  ReviewTest() {
-    const auto prepared = fixtures::ballWithBrain();
-    const auto store = casefile::CaseStore::create(folder_.path() / "case", prepared, {}, false);
-    store.setLabel("Jane Quixley");
-    guidance::TreatmentPlan plan;
-    plan.targets.push_back(someTarget(prepared));
-    store.setTargets(plan);
-    testing::MadeSession made;
-    first_ = testing::writeMadeSession(store.folder(), someTarget(prepared), made);
-    made.off_mm = {1.5, 0, 0}, made.has_meps = true, made.seed = 6;
-    second_ = testing::writeMadeSession(store.folder(), someTarget(prepared), made);
-    TaskMonitor monitor;
-    model_.open(loadCase(store.folder(), monitor));
-  }
-  void waitForSession(const ReviewPresenter& review) {
-    ASSERT_TRUE(fixtures::waitFor([&] { return review.session() && !review.isReading(); }));
-  }
-  testing::TemporaryFolder folder_;
-  fs::path first_, second_;
-  CaseModel model_;
-};
 
 TEST_F(ReviewTest, TheNewestSessionIsShownWithThePulsesOfItsFile) {
   ReviewPresenter review(model_);
@@ -88,32 +54,6 @@ TEST_F(ReviewTest, TheNewestSessionIsShownWithThePulsesOfItsFile) {
   }
   ASSERT_TRUE(review.session()->map);
   EXPECT_NEAR(review.session()->map->centre_of_gravity.mm.norm(), 40, 3) << "on the brain";
-}
-
-TEST_F(ReviewTest, TheMapByFieldSaysWhatTheCommandSaysAndFollowsTheSession) {
-  QSettings().clear();
-  ReviewPresenter review(model_);
-  FieldMapPresenter map(review, model_);
-  review.refresh();
-  waitForSession(review);
-  EXPECT_EQ(map.words().toStdString(), "") << "off at first";
-  map.setOn(true);
-  EXPECT_THAT(map.words().toStdString(), HasSubstr("computing"));
-  ASSERT_TRUE(fixtures::waitFor([&] { return map.shown() != nullptr; })) << map.words().toStdString();
-  const steps::PoseFields fields(std::make_shared<const steps::ReadHead>(model_.current().store),
-                                 efield::fieldCoil("figure8-70").dipoles);
-  const auto known = steps::mepByField(fields, casefile::readSessionPulses(second_));
-  for (const auto& line : steps::inWords(known, "figure8-70"))
-    EXPECT_THAT(map.words().toStdString(), HasSubstr(line));
-  EXPECT_EQ(map.shown()->r2.size(), review.session()->brain->mesh.vertices_mm.size());
-  std::vector<int> numbers;
-  for (int number = 1; number <= 30; ++number) numbers.push_back(number);
-  review.exclude(numbers, "patient moved", "AB");
-  EXPECT_TRUE(fixtures::waitFor([&] { return map.words().contains("too few"); }))
-      << map.words().toStdString();
-  EXPECT_EQ(map.shown(), nullptr) << "nothing of the old pulses";
-  map.setOn(false);
-  EXPECT_EQ(map.words().toStdString(), "");
 }
 
 TEST_F(ReviewTest, ExclusionsNeedAReasonAreWrittenAndCanBeUndone) {
@@ -171,62 +111,6 @@ TEST_F(ReviewTest, AContextMenuExcludesPulsesForAReasonTakesThemInAndShowsOne) {
   EXPECT_EQ(review.marked(), 3);
   chooseInMenu(panel, "Take in");
   ASSERT_TRUE(fixtures::waitFor([&] { return !review.session()->kept.pulses.pulses[2].is_excluded; }));
-}
-
-TEST_F(ReviewTest, AnMepTypedIntoTheTableIsKeptAndOneThatIsNoNumberIsRefused) {
-  ReviewPresenter review(model_);
-  QString refused;
-  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
-  review.choose(QString::fromStdString(first_.filename().string()));
-  waitForSession(review);
-  PulseTable table(review);
-  const auto cell = table.index(6, PulseTable::columnOf(report::PulseColumn::mep));
-  EXPECT_TRUE(table.flags(cell) & Qt::ItemIsEditable);
-  EXPECT_TRUE(table.setData(cell, "412,5", Qt::EditRole));
-  ASSERT_TRUE(
-      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[6].pulse.mep_uv == 412.5; }));
-  EXPECT_EQ(casefile::readSessionPulses(first_).pulses[6].pulse.mep_uv, 412.5);
-  EXPECT_TRUE(review.session()->map) << "computed again";
-  table.setData(cell, "big", Qt::EditRole);
-  EXPECT_THAT(refused.toStdString(), HasSubstr("'big' is no number"));
-  EXPECT_EQ(casefile::readSessionPulses(first_).pulses[6].pulse.mep_uv, 412.5);
-}
-
-TEST_F(ReviewTest, MepsAreImportedByTimeAndTheOffsetIsSaid) {
-  ReviewPresenter review(model_);
-  QString said;
-  QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
-  review.choose(QString::fromStdString(first_.filename().string()));
-  waitForSession(review);
-  const auto csv = folder_.path() / "emg.csv";
-  std::ofstream(csv) << "t_s,mep_uv\n"
-                     << 50.14 + 3.0 << ",120\n"  // pulse 1 is given in frame 7
-                     << 50.44 + 3.0 << ",130\n";
-  review.importMeps(QString::fromStdString(csv.string()), -3.0);
-  ASSERT_TRUE(
-      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
-  EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
-  EXPECT_THAT(said.toStdString(), HasSubstr("clock offset -3.000 s (given: 2 of 2 rows fit)"));
-}
-
-TEST_F(ReviewTest, MepsAreMeasuredFromARecordingAndWhatWasTakenIsSaid) {
-  ReviewPresenter review(model_);
-  QString said, refused;
-  QObject::connect(&review, &ReviewPresenter::said, [&](const QString& words) { said = words; });
-  QObject::connect(&review, &ReviewPresenter::refused, [&](const QString& words) { refused = words; });
-  review.choose(QString::fromStdString(first_.filename().string()));
-  waitForSession(review);
-  const auto path = folder_.path() / "emg.xdf";
-  std::ofstream(path, std::ios::binary) << testing::twoPulsesXdf(50.14 + 3.0, 50.44 + 3.0);
-  const auto file = QString::fromStdString(path.string());
-  review.importMeps(file, -3.0, "; Other");
-  EXPECT_THAT(refused.toStdString(), HasSubstr("no such markers: Pulses"));
-  review.importMeps(file, -3.0);
-  ASSERT_TRUE(
-      fixtures::waitFor([&] { return review.session()->kept.pulses.pulses[0].pulse.mep_uv.has_value(); }));
-  EXPECT_EQ(review.session()->kept.pulses.pulses[0].pulse.mep_uv, 120.0);
-  EXPECT_THAT(said.toStdString(), HasSubstr("2 of 2 rows fit"));
-  EXPECT_THAT(said.toStdString(), HasSubstr("EMG 'Amplifier', channel 1"));
 }
 
 TEST_F(ReviewTest, AFileThatCameBackFromHomeIsAddedShownAndMarked) {

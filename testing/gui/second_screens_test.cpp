@@ -238,20 +238,20 @@ TEST_F(TreatCheck, TheSecondScreensFollowTheSessionAndGoDarkWithIt) {
   auto& screens = treat->screens();
   screens.showGuidance(true);
   ASSERT_TRUE(screens.guidance());
-  EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->word() == "HOLD"; }, 5000));
+  EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->word() == "HOLD"; }));
   EXPECT_EQ(treat->projector().knownFile(),
             QString::fromStdString((folder_.path() / "recording/projector.yml").string()));
   ASSERT_TRUE(treat->projector().open(treat->projector().knownFile()));
   screens.showProjector(true);
   ASSERT_TRUE(screens.projector());
-  EXPECT_TRUE(fixtures::waitFor([&] { return !screens.projector()->isBlack(); }, 5000));
+  EXPECT_TRUE(fixtures::waitFor([&] { return !screens.projector()->isBlack(); }));
   keepPicture(*screens.projector(), "projector_window");
   window.setWorkspace(Workspace::plan);  // the screens continue while another page is shown
   treat->presenter().chooseTarget("");
-  EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->figure().isEmpty(); }, 5000))
+  EXPECT_TRUE(fixtures::waitFor([&] { return screens.guidance()->figure().isEmpty(); }))
       << "without a target there is no figure";
   treat->presenter().end();
-  EXPECT_TRUE(fixtures::waitFor([&] { return screens.projector()->isBlack(); }, 5000));
+  EXPECT_TRUE(fixtures::waitFor([&] { return screens.projector()->isBlack(); }));
   screens.guidance()->close();
   screens.showProjector(false);
   EXPECT_FALSE(screens.areShown());

@@ -249,7 +249,7 @@ struct ShownSize {
 TEST_F(SetupTest, TheWindowShowsEveryPageAtEverySize) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   const auto take = [](QWidget& window, const QString& name) {
-    QTest::qWait(150);
+    QTest::qWait(80);  // longer than the window's refresh
     if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
       window.grab().save(QString("%1/setup_%2.png").arg(pictures, name));
   };

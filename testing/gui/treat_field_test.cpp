@@ -47,9 +47,7 @@ class TreatField : public ::testing::Test {
     treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), 3000).string()));
     settle();
     treat_.align(true);
-    settle();
-    settle();
-    ASSERT_TRUE(treat_.isRunning());
+    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 1; }));
   }
   void settle() {
@@ -184,8 +182,8 @@ TEST_F(TreatField, ThePageColoursTheBrainAndSaysTheDose) {
       fixtures::waitFor([&] { return view->findChild<ColourLegend*>()->words().startsWith("|E|, tier 0"); }));
   auto* dose = page.findChild<MotorPanel*>()->findChild<QLabel*>("dose");
   EXPECT_TRUE(fixtures::waitFor([&] { return dose->text().contains("dose by field"); }));
-  fixtures::waitFor([] { return false; }, 700);  // time to draw
-  EXPECT_EQ(testing::cutTexts(*view).join('\n').toStdString(), "");
+  EXPECT_TRUE(fixtures::waitFor([&] { return testing::cutTexts(*view).isEmpty(); }))
+      << testing::cutTexts(*view).join('\n').toStdString();
   auto* words = view->findChild<QLabel*>("muted");
   EXPECT_GE(words->height(), words->heightForWidth(words->width()));
   if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))

@@ -8,6 +8,7 @@
 #include "facenav/capture/recording.h"
 #include "gui_fixtures.h"
 #include "shell/services.h"
+#include "support/shared_recording.h"
 #include "unit/treat/session/session_fakes.h"
 
 namespace facenav::ui::treat_fixtures {
@@ -35,9 +36,14 @@ inline Services fakeServices() {
 }
 
 inline std::filesystem::path writeRecording(const std::filesystem::path& folder, int frames) {
-  capture::RecordingWriter writer(folder / "recording", fakes::rig());
-  for (int i = 0; i < frames; ++i) writer.add(*fakes::frame(i, i * 0.02));
-  writer.close();
+  testing::shareRecording(
+      std::to_string(frames),
+      [&](const std::filesystem::path& place) {
+        capture::RecordingWriter writer(place, fakes::rig());
+        for (int i = 0; i < frames; ++i) writer.add(*fakes::frame(i, i * 0.02));
+        writer.close();
+      },
+      folder / "recording");
   return folder / "recording";
 }
 

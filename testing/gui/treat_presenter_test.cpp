@@ -34,9 +34,7 @@ class TreatPresenterTest : public ::testing::Test {
   }
   void guide() {
     treat_.align(true);
-    settle();  // aligned
-    settle();  // started
-    ASSERT_TRUE(treat_.isRunning());
+    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
   }
   void settle() {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
@@ -70,9 +68,7 @@ TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride
   ASSERT_TRUE(treat_.mayTreat());
   EXPECT_EQ(model_.current().store.provenance().back().step, "override");
   treat_.align(true);
-  settle();
-  settle();
-  ASSERT_TRUE(treat_.isRunning());
+  ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
   treat_.countPulse();
   EXPECT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 1; }));
   treat_.end();

@@ -180,32 +180,32 @@ TEST_F(TreatReturn, ThePageOffersBothChoicesAndTheKeyKChecks) {
   window.findChild<TreatWorkspace*>()->presenter().openRecording(
       QString::fromStdString(writeRecording(folder_.path(), 3000).string()));
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().hasRecording(); }));
-  QTest::qWait(300);
   const auto take = [&](const char* name) {
     if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
       window.grab().save(QString("%1/%2.png").arg(pictures, name));
   };
-  take("return_offered_1366");
   QPushButton *go_on = nullptr, *begin_new = nullptr;
   for (auto* button : window.findChildren<QPushButton*>()) {
     if (button->text() == "Go on with it") go_on = button;
     if (button->text() == "Begin a new one") begin_new = button;
   }
   ASSERT_TRUE(go_on && begin_new);
-  EXPECT_TRUE(go_on->isVisible() && go_on->isEnabled() && begin_new->isVisible());
+  EXPECT_TRUE(
+      fixtures::waitFor([&] { return go_on->isVisible() && go_on->isEnabled() && begin_new->isVisible(); }));
+  take("return_offered_1366");
   QTest::mouseClick(go_on, Qt::LeftButton);
   ASSERT_TRUE(fixtures::waitFor([&] { return window.treat().isRunning(); }));
   ASSERT_TRUE(fixtures::waitFor([&] { return bool(window.treat().state()->camera_T_mri); }));
-  EXPECT_FALSE(go_on->isVisible());
+  EXPECT_TRUE(fixtures::waitFor([&] { return !go_on->isVisible(); }));
   const auto* words = window.findChild<QLabel*>("check_words");
-  QTest::qWait(300);
-  EXPECT_TRUE(words->text().contains("Registration passed")) << words->text().toStdString();
+  EXPECT_TRUE(fixtures::waitFor([&] { return words->text().contains("Registration passed"); }))
+      << words->text().toStdString();
   take("check_passed_1366");
   *verdict_ = Verdict::drifted;
   QApplication::setActiveWindow(&window);
   QTest::keyClick(&window, Qt::Key_K);
   EXPECT_TRUE(fixtures::waitFor([&] { return words->text().contains("REGISTRATION FAILED"); }));
-  QTest::qWait(300);
+  fixtures::layOut();
   EXPECT_EQ(window.size(), QSize(1366, 768)) << "no words widen the window";
   take("check_failed_1366");
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/ball_case.h"
+#include "support/ball_targets.h"
 #include "support/command_line.h"
 #include "support/made_session.h"
 #include "support/test_data.h"
@@ -27,11 +28,7 @@ TEST(BidsValidator, FindsNoErrorInAnExportedCase) {
     GTEST_SKIP() << "bids-validator is not installed: npm install --global bids-validator@1.15.0";
   const TemporaryFolder folder;
   const auto store = casefile::CaseStore::create(folder.path() / "case", ballWithBrain(), {}, false);
-  guidance::Target target;
-  target.name = "M1 \"hand\"";
-  target.mri_T_target = {Eigen::Quaterniond(0, 1, 0, 0), {0, 0, 92}};
-  target.cortex_point = Point<Mri>(0, 0, 40);
-  target.scalp_point = Point<Mri>(0, 0, 90);
+  const auto target = targetOnTop("M1 \"hand\"");
   guidance::TreatmentPlan plan;
   plan.targets = {target};
   store.setTargets(plan);

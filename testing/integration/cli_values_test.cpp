@@ -25,20 +25,30 @@ class CommandValues : public ::testing::Test {
 
 TEST_F(CommandValues, NumbersThatAreNoneAreRefusedWhereTheyAreTyped) {
   const std::string c = at("none").string();
-  for (const char* number : {"nan", "NaN", "inf", "-inf", "1e30", "1e999", "0x10"}) {
-    expectWrongUsage("locate " + c + " --mni " + number + " 1 2", "--mni");
-    expectWrongUsage("locate " + c + " --ras 1 2 " + number, "--ras");
-    expectWrongUsage("target " + c + " --name M1 --mni 1 " + number + " 2", "--mni");
-    expectWrongUsage("target " + c + " --name M1 --ras 1 1 2 --handle-deg " + number, "--handle-deg");
-    expectWrongUsage("plan " + c + " --preset m1-hand-left --handle-deg " + number, "--handle-deg");
-    expectWrongUsage("plan " + c + " --preset m1-hand-left --gap-mm " + number, "--gap-mm");
-    expectWrongUsage("plan " + c + " --set-landmark nasion=1,2," + number, "landmark");
-    expectWrongUsage("brain " + c + " --grow 1,2," + number, "R,A,S");
-    expectWrongUsage("pulses " + c + " --set-mep 1=" + number, "MEP");
-    expectWrongUsage("pulses " + c + " --offset " + number, "--offset");
-    expectWrongUsage("marker --size " + std::string(number) + " -o " + at("m.svg").string(), "--size");
-    expectWrongUsage("track x -o y --intensity " + std::string(number) + " --pulses keyboard", "--intensity");
-    expectWrongUsage("simulate still -o " + at("rec").string() + " --noise-grey " + number, "--noise-grey");
+  const std::vector<std::pair<std::string, std::string>> all{
+      // words with # in the number's place, and what the refusal names
+      {"locate " + c + " --mni # 1 2", "--mni"},
+      {"locate " + c + " --ras 1 2 #", "--ras"},
+      {"target " + c + " --name M1 --mni 1 # 2", "--mni"},
+      {"target " + c + " --name M1 --ras 1 1 2 --handle-deg #", "--handle-deg"},
+      {"plan " + c + " --preset m1-hand-left --handle-deg #", "--handle-deg"},
+      {"plan " + c + " --preset m1-hand-left --gap-mm #", "--gap-mm"},
+      {"plan " + c + " --set-landmark nasion=1,2,#", "landmark"},
+      {"brain " + c + " --grow 1,2,#", "R,A,S"},
+      {"pulses " + c + " --set-mep 1=#", "MEP"},
+      {"pulses " + c + " --offset #", "--offset"},
+      {"marker --size # -o " + at("m.svg").string(), "--size"},
+      {"track x -o y --intensity # --pulses keyboard", "--intensity"},
+      {"simulate still -o " + at("rec").string() + " --noise-grey #", "--noise-grey"}};
+  const auto refuses = [&](const auto& typed, const std::string& number) {
+    std::string words = typed.first;
+    expectWrongUsage(words.replace(words.find('#'), 1, number), typed.second);
+  };
+  const std::vector<std::string> numbers{"nan", "inf", "1e30", "NaN", "-inf", "1e999", "0x10"};
+  for (const auto& number : numbers) refuses(all.front(), number);
+  for (std::size_t i = 1; i < all.size(); ++i) {  // the readers of numbers are shared: two each are enough
+    refuses(all[i], "nan");
+    refuses(all[i], numbers[1 + i % (numbers.size() - 1)]);
   }
 }
 
@@ -212,12 +222,14 @@ TEST_F(CommandValues, CheckSaysByWhomAndWhenItWasSigned) {
 }
 
 TEST_F(CommandValues, VerbsThatListOrReportTakeJson) {
+  EXPECT_EQ(runFacenav("help --man-pages " + at("pages").string()).status, 0);
   for (const char* verb :
-       {"series",    "pacs find", "check",   "brain",     "worklist",       "label",     "locate",
-        "target",    "plan",      "cameras", "calibrate", "calibrate-coil", "rig list",  "rig check",
-        "coil list", "coil show", "align",   "track",     "guide",          "threshold", "sessions",
+       {"series",    "pacs-find", "check",   "brain",     "worklist",       "label",     "locate",
+        "target",    "plan",      "cameras", "calibrate", "calibrate-coil", "rig-list",  "rig-check",
+        "coil-list", "coil-show", "align",   "track",     "guide",          "threshold", "sessions",
         "pulses",    "hotspot",   "import",  "settings",  "serve"})
-    EXPECT_THAT(runFacenav("help " + std::string(verb)).output, HasSubstr("--json")) << verb;
+    EXPECT_THAT(readText(at("pages") / ("facenav-" + std::string(verb) + ".1")), HasSubstr("\\-\\-json"))
+        << verb;
 }
 
 TEST_F(CommandValues, TheProtocolTemplateIsAFileToChange) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/csv_table.h"
@@ -58,10 +59,19 @@ fs::path treat(const fs::path& case_folder) {
 class Review : public ::testing::Test {
  protected:
   void SetUp() override {
-    casefile::CaseStore::create(case_, ballCase(), {}, false).setLabel("Jane Doe");
-    session_ = treat(case_);
+    if (!made_) makeSession();
+    fs::copy(made_->path() / "case", case_, fs::copy_options::recursive);
+    session_ = casefile::findSession(case_, "");
+  }
+  static void TearDownTestSuite() { made_.reset(); }
+  /// Plays the session of three seconds, once for all tests.
+  static void makeSession() {
+    made_ = std::make_unique<TemporaryFolder>();
+    casefile::CaseStore::create(made_->path() / "case", ballCase(), {}, false).setLabel("Jane Doe");
+    treat(made_->path() / "case");
   }
   CommandResult run(const std::string& words) const { return runFacenav(words); }
+  static inline std::unique_ptr<TemporaryFolder> made_;
   TemporaryFolder folder_;
   fs::path case_ = folder_.path() / "case", session_;
 };

@@ -15,6 +15,7 @@
 #include "facenav/casefile/sign_off.h"
 #include "facenav/core/csv_table.h"
 #include "support/ball_case.h"
+#include "support/ball_targets.h"
 #include "support/command_line.h"
 #include "support/igtl_sender.h"
 #include "support/matchers.h"
@@ -108,15 +109,7 @@ class WithoutCameras : public ::testing::Test {
   WithoutCameras() {
     const auto store = casefile::CaseStore::create(folder_.path() / "case", ballWithBrain(), {}, false);
     guidance::TreatmentPlan plan;
-    guidance::Target target;
-    target.name = "M1";
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-    pose.translation() = Eigen::Vector3d(0, 0, 92);
-    target.mri_T_target = RigidTransform<Mri, frames::Target>::fromIsometry(pose);
-    target.scalp_point = Point<Mri>(0, 0, 90);
-    target.cortex_point = Point<Mri>(0, 0, 40);
-    plan.targets = {target};
+    plan.targets = {targetOnTop("M1")};
     store.setTargets(plan);
     casefile::signOff(store, {"XY", "", true});
     std::ofstream alignment(folder_.path() / "alignment.json");

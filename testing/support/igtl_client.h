@@ -46,7 +46,7 @@ class LoopbackClient {
     send(links::encoded(message));
   }
   /// Returns the next message of that type (empty: any), or nothing when none has come within `limit_ms`.
-  std::optional<links::IgtlMessage> next(const std::string& type = {}, int limit_ms = 5000) {
+  std::optional<links::IgtlMessage> next(const std::string& type = {}, int limit_ms = 30000) {
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(limit_ms)) {
       while (auto message = reader_.next())

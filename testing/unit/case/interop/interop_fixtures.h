@@ -45,6 +45,27 @@ inline CaseHead madeHead() {
   return head;
 }
 
+/// Makes a pulse with intensity and MEP; its pose is added by the test.
+inline Item madePulse(const std::string& session, const std::string& target, double clock_s = 1795788309.25) {
+  Item pulse;
+  pulse.kind = Kind::pulse;
+  pulse.session = session;
+  pulse.target = target;
+  pulse.clock_s = clock_s;
+  pulse.intensity_pct = 61.5;
+  pulse.mep_uv = 412.25;
+  return pulse;
+}
+
+/// Makes the landmark nasion.
+inline Item nasionAt(const Point<Mri>& place) {
+  Item nasion;
+  nasion.kind = Kind::landmark;
+  nasion.name = "nasion";
+  nasion.mri_place = place;
+  return nasion;
+}
+
 inline OtherFile readChecked(const std::filesystem::path& path, const CaseHead& head,
                              const Answers& answers = {}, const std::optional<T1>& file_t1 = {}) {
   auto file = readOther(path, &head.t1);

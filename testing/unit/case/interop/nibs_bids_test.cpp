@@ -201,21 +201,12 @@ Order orderOf(const T1& t1) {
     order.items.push_back(item);
   }
   for (int i = 0; i < 3; ++i) {
-    Item pulse;
-    pulse.kind = Kind::pulse;
-    pulse.session = i < 2 ? "20261127T140509Z" : "20261128T090000Z";
-    pulse.target = "Vertex";
-    pulse.clock_s = 1795788309.25 + 3.5 * i;
-    pulse.intensity_pct = 61.5;
-    pulse.mep_uv = 412.25;
+    auto pulse =
+        madePulse(i < 2 ? "20261127T140509Z" : "20261128T090000Z", "Vertex", 1795788309.25 + 3.5 * i);
     if (i != 1) pulse.mri_T_coil = truth().at("Vertex");
     order.items.push_back(pulse);
   }
-  Item nasion;
-  nasion.kind = Kind::landmark;
-  nasion.name = "nasion";
-  nasion.mri_place = t1.grid.centre();
-  order.items.push_back(nasion);
+  order.items.push_back(nasionAt(t1.grid.centre()));
   return order;
 }
 

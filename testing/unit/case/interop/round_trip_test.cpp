@@ -32,23 +32,13 @@ Order madeOrder(const T1& t1) {
     ++number;
   }
   for (const bool has_pose : {true, false}) {
-    Item pulse;
-    pulse.kind = Kind::pulse;
+    auto pulse = madePulse("20261127T140509Z", kNames[2]);
     pulse.name = has_pose ? "Sample 1" : "Sample 2";
-    pulse.session = "20261127T140509Z";
-    pulse.target = kNames[2];
-    pulse.clock_s = 1795788309.25;
-    pulse.intensity_pct = 61.5;
-    pulse.mep_uv = 412.25;
     if (has_pose) pulse.mri_T_coil = order.items[2].mri_T_coil;
     pulse.reason = has_pose ? "" : "face not seen";
     order.items.push_back(pulse);
   }
-  Item nasion;
-  nasion.kind = Kind::landmark;
-  nasion.name = "nasion";
-  nasion.mri_place = t1.grid.centre();
-  order.items.push_back(nasion);
+  order.items.push_back(nasionAt(t1.grid.centre()));
   return order;
 }
 

@@ -87,5 +87,53 @@ TEST_F(SurfaceValuesTest, DamagedAndForeignFilesAreRefused) {
   EXPECT_THAT(refusalOf([&] { readGiftiSurface(write("f.gii", "<GIFTI Version")); }), HasSubstr("f.gii"));
 }
 
+std::string giftiWith(const std::string& attributes, const std::string& data) {
+  return "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"1\"><DataArray Intent=\"NIFTI_INTENT_SHAPE\" "
+         "DataType=\"NIFTI_TYPE_FLOAT32\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"1\" "
+         "Dim0=\"3\" " +
+         attributes + "><Data>" + data + "</Data></DataArray></GIFTI>";
+}
+
+TEST_F(SurfaceValuesTest, GiftiIsReadInEveryEncoding) {
+  const std::vector<float> wanted{0.5f, 1.25f, -3};
+  const std::string bytes("\0\0\0\x3f\0\0\xa0\x3f\0\0\x40\xc0", 12), base64 = "AAAAPwAAoD8AAEDA";
+  const std::string little = " Endian=\"LittleEndian\"";
+  EXPECT_EQ(readSurfaceValues(write("a.gii", giftiWith("Encoding=\"Base64Binary\"" + little, base64))),
+            wanted);
+  EXPECT_EQ(readSurfaceValues(write(
+                "b.gii", giftiWith("Encoding=\"Base64Binary\" Endian=\"BigEndian\"", "PwAAAD+gAADAQAAA"))),
+            wanted);
+  write("c.dat", "head" + bytes);
+  EXPECT_EQ(
+      readSurfaceValues(write("c.gii", giftiWith("Encoding=\"ExternalFileBinary\" ExternalFileName=\"c.dat\" "
+                                                 "ExternalFileOffset=\"4\"" +
+                                                     little,
+                                                 ""))),
+      wanted);
+}
+
+TEST_F(SurfaceValuesTest, ADamagedGiftiFileIsRefusedWithoutALineOfTheLibrarys) {
+  const std::string little = " Endian=\"LittleEndian\"";
+  ::testing::internal::CaptureStderr();
+  int number = 0;
+  for (const std::string& content :
+       {std::string("<GIFTI Version"), std::string("<GIFTI></X>"), giftiOf("1 2"), giftiOf("1 2 x"),
+        giftiWith("Encoding=\"Base64Binary\"" + little, "!!!!"),
+        giftiWith("Encoding=\"Base64Binary\"" + little, "AAAA"),
+        giftiWith("Encoding=\"GZipBase64Binary\"" + little, "AAAA"),
+        giftiWith("Encoding=\"ExternalFileBinary\" ExternalFileName=\"none\"" + little, ""),
+        giftiWith("Encoding=\"Foo\"" + little, "1 2 3")}) {
+    const std::string name = std::to_string(++number) + ".gii";
+    EXPECT_THAT(refusalOf([&] { readSurfaceValues(write(name, content)); }), HasSubstr(name)) << content;
+  }
+  const auto ball = folder_.path() / "ball.gii";
+  writeMesh(testing::ballMesh(60), MeshFormat::gifti, ball);
+  std::string damaged = readWholeFile(ball);  // compressed; gifti_io reads such a file as zeros
+  const auto middle = damaged.find("<Data>") + 200;
+  for (std::size_t i = 0; i < 20; ++i) damaged[middle + i] = 'A';
+  EXPECT_THAT(refusalOf([&] { readGiftiSurface(write("damaged.gii", damaged)); }), HasSubstr("damaged"));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace facenav::surface

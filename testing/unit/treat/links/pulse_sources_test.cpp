@@ -214,7 +214,7 @@ class LslClock : public ::testing::Test {
     return heard_.triggers().size() == count ? before - heard_.triggers().back().at : 1e9;
   }
 
-  static constexpr double kNear_s = 0.1;
+  static constexpr double kNear_s = 0.2;
   const FakeLsl lsl_;
   HeardPulses heard_;
   std::unique_ptr<PulseSource> source_;

@@ -172,7 +172,7 @@ TEST(BadConditions, AFolderThatIsRemovedIsMadeAgainWithAllThatItHeld) {
     running->start();
     addPulses(log, 5);
     ASSERT_TRUE(comes([&] { return log.pulses() == 5; }));
-    fs::remove_all(place);
+    fakes::removeAll(place);
     EXPECT_TRUE(comes([&] { return log.failure().find("removed") != std::string::npos; })) << log.failure();
     addPulses(log, 5);
     EXPECT_TRUE(comes([&] { return log.failure().empty(); })) << log.failure();
@@ -191,16 +191,21 @@ TEST(BadConditions, AFolderThatIsRemovedIsMadeAgainWithAllThatItHeld) {
 TEST(BadConditions, AClockThatIsSetBackIsSaidAndTheOrderStays) {
   const testing::TemporaryFolder folder;
   fs::path place;
-  std::atomic<int> set_back_s{0};
+  std::atomic<int> set_back_s{0}, asked{0};
   {
     auto running = endless();
     TreatmentLogOptions options;
-    options.clock = [&] { return std::chrono::system_clock::now() - std::chrono::seconds(set_back_s); };
+    options.clock = [&] {
+      ++asked;
+      return std::chrono::system_clock::now() - std::chrono::seconds(set_back_s);
+    };
     TreatmentLog log(running, folder.path(), nullptr, options);
     place = log.folder();
     running->start();
     addPulses(log, 3);
+    ASSERT_TRUE(comes([&] { return asked > 0; })) << "the clock is known before it is set";
     set_back_s = 3600;
+    const int asked_before = asked;
     for (int i = 0; i < 3; ++i) {
       links::PulseTrigger pulse;
       pulse.dead_time_s = 0.001;
@@ -210,7 +215,8 @@ TEST(BadConditions, AClockThatIsSetBackIsSaidAndTheOrderStays) {
     }
     EXPECT_TRUE(comes([&] { return log.pulses() == 6; }));
     EXPECT_EQ(log.failure(), "");
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    // The first answer after the change is logged before the second is asked for.
+    EXPECT_TRUE(comes([&] { return asked >= asked_before + 2 && running->latest()->frame > 20; }));
     running->stop();
   }
   EXPECT_EQ(faultOf(place, 6, "clock set"), "");

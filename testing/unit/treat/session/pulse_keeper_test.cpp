@@ -174,7 +174,7 @@ TEST(PulseKeeper, WhatCannotBeWrittenIsSaidAndKeptAsSoonAsItCan) {
 
 TEST(PulseKeeper, ASessionKilledAtAnyMomentHasEveryPulseThatItShowed) {
   std::mt19937 random(2);
-  std::uniform_int_distribution<int> moment_ms(60, 300);
+  std::uniform_int_distribution<int> pulses_before(0, 8), later_ms(0, 25);
   int shown_in_all = 0;
   for (int death = 0; death < 20; ++death) {
     const testing::TemporaryFolder folder;
@@ -184,13 +184,16 @@ TEST(PulseKeeper, ASessionKilledAtAnyMomentHasEveryPulseThatItShowed) {
     ASSERT_GE(child, 0);
     if (child == 0) treatWithoutEnd(folder.path(), said[1]);
     ::close(said[1]);
-    std::this_thread::sleep_for(std::chrono::milliseconds(moment_ms(random)));
+    const int wanted = pulses_before(random);
+    int shown = -1;
+    const auto hear = [&] { return ::read(said[0], &shown, sizeof shown) == sizeof shown; };
+    while (shown < wanted && hear()) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(later_ms(random)));
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status));
-    int shown = 0;
-    for (int kept = 0; ::read(said[0], &kept, sizeof kept) == sizeof kept;) shown = kept;
+    while (hear()) continue;
     ::close(said[0]);
     const auto session = casefile::readSession(casefile::findSession(folder.path(), ""));
     const auto& pulses = session.pulses.pulses;

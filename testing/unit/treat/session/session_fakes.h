@@ -2,6 +2,7 @@
 // Fake cameras and trackers: known frames, known poses, losses on request.
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <thread>
 
@@ -94,6 +95,11 @@ inline NavigatorSetup setup() {
   s.camera_T_mri_at_reference = cameraAtReference();
   s.coil.markers.resize(1);
   return s;
+}
+
+/// Removes a folder in which another thread may be writing.
+inline void removeAll(const std::filesystem::path& folder) {
+  for (std::error_code fault; std::filesystem::exists(folder);) std::filesystem::remove_all(folder, fault);
 }
 
 /// A target for which the wanted pose of the coil is `camera_T_coil` when the head is at the reference.

@@ -27,7 +27,7 @@ std::string contentOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::shared_ptr<Session> session() {
+std::shared_ptr<Session> session(int frames = kFrames) {
   const RigidTransform<Camera, Marker> marker(Eigen::Quaterniond::Identity(), {0, 0, 500});
   auto navigator = std::make_unique<Navigator>(
       fakes::setup(), std::make_unique<fakes::Head>([](std::int64_t n) {
@@ -35,7 +35,7 @@ std::shared_ptr<Session> session() {
       }),
       std::make_unique<fakes::Coil>(marker));
   navigator->setTarget(fakes::targetAt(marker.reframe<Camera, Coil>()));
-  return std::make_shared<Session>(std::make_unique<fakes::Source>(kFrames, 0.02), std::move(navigator),
+  return std::make_shared<Session>(std::make_unique<fakes::Source>(frames, 0.02), std::move(navigator),
                                    SessionOptions{});
 }
 
@@ -81,21 +81,35 @@ TEST(TreatmentLog, AFolderThatIsRemovedIsSaidAndTheSessionAndItsPulsesGoOn) {
   const testing::TemporaryFolder folder;
   std::filesystem::path place;
   {
-    auto running = session();
+    auto running = session(100 * kFrames);  // it is stopped below
     TreatmentLog log(running, folder.path());
     place = log.folder();
     running->start();
     log.addPulse();
     while (log.pulses() < 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    std::filesystem::remove_all(folder.path() / "sessions");
+    fakes::removeAll(folder.path() / "sessions");
     while (log.failure().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_THAT(log.failure(), HasSubstr("removed"));
+    const auto frame = running->latest()->frame;
     log.addPulse({"pedal"});
     while (log.pulses() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    while (!running->hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_EQ(running->latest()->frame, kFrames - 1);
+    while (running->latest()->frame < frame + 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    running->stop();
   }
   EXPECT_EQ(casefile::readSessionPulses(place).pulses.size(), 2u);
+}
+
+TEST(TreatmentLog, ARemovedFolderIsNamedAsRemovedWhicheverFileIsWrittenFirst) {
+  const testing::TemporaryFolder folder;
+  auto running = session();
+  TreatmentLog log(running, folder.path());
+  fakes::removeAll(folder.path() / "sessions");
+  // Before the first frame only times.json is written.
+  for (int i = 0; i < 100 && log.failure().empty(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  running->start();
+  while (log.failure().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_THAT(log.failure(), HasSubstr("removed"));
 }
 
 /// The writing thread is blocked for most of the session, as by a disk that does not respond.
@@ -158,7 +172,7 @@ TEST(TreatmentLog, PulsesInAPauseAreKeptMarkedAndNeverOnTarget) {
     const double held_s = log.treated_s();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     log.addPulse({"b"});
-    EXPECT_NEAR(log.treated_s(), held_s, 0.05) << "the clock holds";
+    EXPECT_NEAR(log.treated_s(), held_s, 0.1) << "the clock holds";
     log.resume();
     paused_s = Timestamp::now() - begin;
     log.addPulse({"c"});
@@ -176,7 +190,7 @@ TEST(TreatmentLog, PulsesInAPauseAreKeptMarkedAndNeverOnTarget) {
   EXPECT_THAT(contentOf(place / "events.jsonl"), HasSubstr("\"pause\",\"detail\":\"coil too warm\""));
   const auto times = casefile::readSessionTimes(place);
   ASSERT_TRUE(times);
-  EXPECT_NEAR(times->paused_s, paused_s, 0.05);
+  EXPECT_NEAR(times->paused_s, paused_s, 0.1);
   EXPECT_NEAR(times->guided.total_s(), times->running_s - times->paused_s, 0.15);
 }
 

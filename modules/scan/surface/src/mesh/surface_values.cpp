@@ -1,21 +1,15 @@
 #include "facenav/surface/surface_values.h"
 
-extern "C" {
-#include <gifti/gifti_io.h>
-}
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
+#include "gifti_reader.h"
 
 namespace facenav::surface {
 namespace {
-
-using GiftiImage = std::unique_ptr<gifti_image, decltype(&gifti_free_image)>;
 
 constexpr char kCurvMagic[] = "\xff\xff\xff";
 constexpr std::size_t kCurvHeader_bytes = 15;  // magic; vertices, faces and values a vertex as int32
@@ -49,56 +43,21 @@ std::vector<float> curvValues(const std::string& content, const std::string& pat
   return values;
 }
 
-GiftiImage readGifti(const std::filesystem::path& path) {
-  gifti_set_verb(0);  // faults become an Error here
-  GiftiImage image(gifti_read_image(path.c_str(), 1), gifti_free_image);
-  if (!image) throw Error("is no readable GIFTI file", path.string(), "export it again");
-  return image;
-}
-
 /// The array of an intent; null: none.
-const giiDataArray* arrayOf(const gifti_image& image, int intent) {
-  for (int i = 0; i < image.numDA; ++i)
-    if (image.darray[i] && image.darray[i]->intent == intent && image.darray[i]->data) return image.darray[i];
+const GiftiArray* arrayOf(const std::vector<GiftiArray>& arrays, const std::string& intent) {
+  for (const auto& array : arrays)
+    if (array.intent == intent) return &array;
   return nullptr;
 }
 
-double numberAt(const giiDataArray& array, long long i, const std::string& path) {
-  switch (array.datatype) {
-    case NIFTI_TYPE_FLOAT32:
-      return static_cast<const float*>(array.data)[i];
-    case NIFTI_TYPE_FLOAT64:
-      return static_cast<const double*>(array.data)[i];
-    case NIFTI_TYPE_INT32:
-      return static_cast<const std::int32_t*>(array.data)[i];
-    case NIFTI_TYPE_UINT8:
-      return static_cast<const std::uint8_t*>(array.data)[i];
-    default:
-      throw Error("the GIFTI file holds numbers of an unknown type", path, "export it as float32");
-  }
-}
-
-/// Value of a row and column, whatever the order of the file.
-double numberAt(const giiDataArray& array, long long row, long long column, const std::string& path) {
-  const bool is_by_columns = array.ind_ord == GIFTI_IND_ORD_COL_MAJOR;
-  return numberAt(array, is_by_columns ? column * array.dims[0] + row : row * array.dims[1] + column, path);
-}
-
 std::vector<float> giftiValues(const std::filesystem::path& path) {
-  const auto image = readGifti(path);
-  const giiDataArray* found = nullptr;
-  for (int i = 0; i < image->numDA; ++i) {
-    const giiDataArray* array = image->darray[i];
-    if (!array || !array->data) continue;
-    if (found)
-      throw Error("the file holds more than one value a vertex", path.string(), "export one of them");
-    found = array;
-  }
-  if (!found || found->nvals != found->dims[0])
+  const auto arrays = readGifti(path);
+  if (arrays.size() > 1)
+    throw Error("the file holds more than one value a vertex", path.string(), "export one of them");
+  if (arrays.empty() || arrays.front().columns != 1)
     throw Error("the GIFTI file holds no value a vertex", path.string(), "export the field's magnitude");
-  std::vector<float> values;
-  for (long long i = 0; i < found->nvals; ++i) values.push_back(float(numberAt(*found, i, path.string())));
-  return values;
+  const auto& values = arrays.front().values;
+  return {values.begin(), values.end()};
 }
 
 /// Normals as means of the faces' ones.
@@ -134,24 +93,20 @@ std::vector<float> readSurfaceValues(const std::filesystem::path& path) {
 TriangleMesh readGiftiSurface(const std::filesystem::path& path) {
   if (!isGifti(readWholeFile(path)))
     throw Error("is no GIFTI surface", path.string(), "give the .gii file of the surface");
-  const auto image = readGifti(path);
-  const auto *points = arrayOf(*image, NIFTI_INTENT_POINTSET),
-             *faces = arrayOf(*image, NIFTI_INTENT_TRIANGLE);
-  if (!points || !faces || points->nvals != 3 * points->dims[0] || faces->nvals != 3 * faces->dims[0])
+  const auto arrays = readGifti(path);
+  const auto *points = arrayOf(arrays, "NIFTI_INTENT_POINTSET"),
+             *faces = arrayOf(arrays, "NIFTI_INTENT_TRIANGLE");
+  if (!points || !faces || points->columns != 3 || faces->columns != 3)
     throw Error("the GIFTI file holds no surface", path.string(), "give the file with the coordinates");
-  for (int i = 0; i < points->numCS; ++i)
-    if (const char* space = points->coordsys[i]->dataspace;
-        space && (std::strstr(space, "MNI") || std::strstr(space, "TALAIRACH")))
+  for (const std::string& space : points->dataspaces)
+    if (space.find("MNI") != std::string::npos || space.find("TALAIRACH") != std::string::npos)
       throw Error("the surface lies in the space of a template", path.string(),
                   "give the surface in the subject's space");
   TriangleMesh mesh;
-  for (long long i = 0; i < points->dims[0]; ++i)
-    mesh.vertices_mm.emplace_back(numberAt(*points, i, 0, path.string()),
-                                  numberAt(*points, i, 1, path.string()),
-                                  numberAt(*points, i, 2, path.string()));
-  for (long long i = 0; i < faces->dims[0]; ++i) {
-    Eigen::Vector3i t;
-    for (int c = 0; c < 3; ++c) t[c] = int(numberAt(*faces, i, c, path.string()));
+  for (std::size_t i = 0; i < points->rows; ++i)
+    mesh.vertices_mm.emplace_back(points->at(i, 0), points->at(i, 1), points->at(i, 2));
+  for (std::size_t i = 0; i < faces->rows; ++i) {
+    const Eigen::Vector3i t(int(faces->at(i, 0)), int(faces->at(i, 1)), int(faces->at(i, 2)));
     if (t.minCoeff() < 0 || t.maxCoeff() >= int(mesh.vertices_mm.size()))
       throw Error("the surface has a triangle of a vertex that is not there", path.string(),
                   "export it again");
