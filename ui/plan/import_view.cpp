@@ -12,8 +12,11 @@ constexpr double kPick_mm = 25;        // a coil over thick hair lies so far fro
 constexpr int kMostNames = 40;         // more would cover the head
 constexpr double kShownDepth_mm = 25;  // of the cortex under a coil, for its line
 
-bool isOfRow(const ImportRow& row, int file, int item, const interop::Item& of) {
+bool isOfRow(const ImportRow& row, int file, int item, const steps::PreviewedItem& previewed) {
+  const auto& of = previewed.item;
   if (row.file != file) return false;
+  if (!row.reason.isEmpty())
+    return previewed.fate == steps::ItemFate::refused && previewed.reason == row.reason.toStdString();
   if (row.item >= 0) return row.item == item;
   return !row.is_session || (of.kind == interop::Kind::pulse && of.session == row.name.toStdString());
 }
@@ -70,10 +73,11 @@ void ImportView::draw() {
   const auto& files = presenter_.files();
   for (int file = 0; file < int(files.size()); ++file)
     for (int i = 0; i < int(files[std::size_t(file)].preview.items.size()); ++i) {
-      const auto& [item, fate, reason] = files[std::size_t(file)].preview.items[std::size_t(i)];
+      const auto& previewed = files[std::size_t(file)].preview.items[std::size_t(i)];
+      const auto& [item, fate, reason] = previewed;
       const auto place = importedPlace(item);
       if (!place) continue;
-      const bool is_chosen = isOfRow(chosen_, file, i, item);
+      const bool is_chosen = isOfRow(chosen_, file, i, previewed);
       const bool stays_out = fate == steps::ItemFate::refused || fate == steps::ItemFate::left_out;
       if (item.kind != interop::Kind::pulse) names.push_back({item.name, *place});
       if (!item.mri_T_coil) continue;

@@ -127,5 +127,19 @@ TEST_F(ImportsOfSeveral, ADroppedPathIsOfAnotherProgramAScanOrNeither) {
   EXPECT_FALSE(filesAt(folder_.path() / "session").may_be_scan);
 }
 
+TEST_F(ImportsOfSeveral, ASetThatIsRefusedSaysItsReasonOnce) {
+  std::string far;
+  for (const char* name : {"a", "b", "c"}) far += testing::coilPosition(name, {0, 0, 1}, 900);
+  const auto file = write(
+      "far.csv", far + testing::coilPosition("d", {0, 1, 0}, 700) + testing::coilPosition("M1", {-1, 0, 1}));
+  const auto preview = previewImport(store_, order(file));
+  const auto refused = preview.refusals();
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_THAT(refused[0].items, ElementsAre(0, 1, 2));
+  EXPECT_THAT(refused[0].reason, HasSubstr("900 mm"));
+  EXPECT_THAT(preview.refusal(), HasSubstr("3 items, the first target 'a'"));
+  EXPECT_THAT(preview.refusal(), ::testing::EndsWith("; and 1 more"));
+}
+
 }  // namespace
 }  // namespace facenav::steps
