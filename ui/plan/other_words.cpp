@@ -32,7 +32,7 @@ QString inWindowWords(const std::string& words) {
         {"name (the|that) T1 with --t1", QObject::tr("choose \\1 T1 under T1")},
         {"give --replace, or rename it", QObject::tr("tick Replace, or rename it")},
         {", or --replace", QObject::tr(", or tick Replace")},
-        {" \\(--utc-offset\\)", QString()},
+        {" \\(--(utc-offset|didt)\\)", QString()},
         {"choose one with --target NAME", QObject::tr("tick one target")},
         {"; with --session (\\w+)", QObject::tr("; with a session: \\1")},
         {"facenav target makes a target there",

@@ -117,6 +117,9 @@ TEST_F(ImportsOfSeveral, ADroppedPathIsOfAnotherProgramAScanOrNeither) {
   }
   EXPECT_TRUE(filesAt(slice).may_be_scan);
   EXPECT_TRUE(filesAt(store_.folder() / "mri.nii.gz").may_be_scan);
+  const auto mesh = write("sim.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+  EXPECT_THAT(filesAt(mesh).fields, ElementsAre(mesh));
+  EXPECT_TRUE(filesAt(slice).fields.empty());
   EXPECT_TRUE(filesAt(folder_.path()).may_be_scan) << "DICOM beside it";
   const auto session = folder_.path() / "session" / "InstrumentMarkers";
   fs::create_directories(session);
