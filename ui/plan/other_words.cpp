@@ -34,6 +34,7 @@ QString inWindowWords(const std::string& words) {
         {", or --replace", QObject::tr(", or tick Replace")},
         {" \\(--(utc-offset|didt)\\)", QString()},
         {"choose one with --target NAME", QObject::tr("tick one target")},
+        {"name those to draw with --target", QObject::tr("tick those to draw")},
         {"; with --session (\\w+)", QObject::tr("; with a session: \\1")},
         {"facenav target makes a target there",
          QObject::tr("type its coordinates in Plan for a target there")},

@@ -63,6 +63,17 @@ void MainWindow::take(const QStringList& paths) {
   if (!others.isEmpty()) importOther(others);
 }
 
+void MainWindow::importField(const QString& file, const QString& surface, bool may_be_scan) {
+  if (auto* shown = findChild<FieldImportWindow*>()) shown->close();
+  auto* window = new FieldImportWindow(model_, plan_, may_be_scan, this);
+  connect(window, &FieldImportWindow::takenIn, this,
+          [this](const QString& words) { task_bar_->showMessage(words, false); });
+  connect(window, &FieldImportWindow::scanMeant, this, &MainWindow::takeScan);
+  window->open(file, surface);
+  window->show();
+  window->activateWindow();
+}
+
 /// Opens a case, passes a recording to Treat, and queues anything else to become a case.
 void MainWindow::takeScan(const QString& path) {
   if (QFileInfo::exists(path + "/case.json")) return openCase(path);
@@ -102,8 +113,8 @@ void MainWindow::showImported(const QString& words, bool has_targets, const QStr
 void MainWindow::exportOther() {
   if (!model_.isOpen()) return task_bar_->showMessage(tr("open the case first that shall be exported"), true);
   if (auto* shown = findChild<ExportWindow*>()) shown->close();
-  auto* window =
-      new ExportWindow(model_, workspace() == Workspace::review ? review_.chosen() : QString(), this);
+  const QString session = workspace() == Workspace::review ? review_.chosen() : QString();
+  auto* window = new ExportWindow(model_, session, services_.storeInArchive, this);
   connect(window, &ExportWindow::written, this,
           [this](const QString& words) { task_bar_->showMessage(words, false); });
   window->show();
