@@ -75,6 +75,16 @@ std::optional<Point<Mri>> importedPlace(const interop::Item& item) {
   return item.mri_place;
 }
 
+guidance::Target shownTarget(const std::string& name, const RigidTransform<Mri, Coil>& mri_T_coil) {
+  constexpr double kShownDepth_mm = 25;  // of the cortex under a coil, for its line
+  guidance::Target target;
+  target.name = name;
+  target.mri_T_target = mri_T_coil.reframe<Mri, frames::Target>();
+  target.scalp_point = Point<Mri>(mri_T_coil.translation_mm());
+  target.cortex_point = mri_T_coil * Point<Coil>(0, 0, kShownDepth_mm);
+  return target;
+}
+
 QString importedPlaceWords(const interop::Item& item) {
   const auto place = importedPlace(item);
   if (!place) return {};

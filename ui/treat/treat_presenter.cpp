@@ -17,6 +17,7 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
+      offers_(model),
       pulse_source_(QSettings().value(kPulseSource).toString()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
@@ -42,7 +43,12 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
     emit changed();
   });
   connect(&cameras_, &CamerasPresenter::refused, this, &TreatPresenter::refused);
+  connect(&offers_, &OffersPresenter::refused, this, &TreatPresenter::refused);
+  connect(&offers_, &OffersPresenter::decided, this, [this](const QString& event, const QString& words) {
+    if (treatment_) treatment_->log().addEvent(event.toStdString(), words.toStdString());
+  });
   connect(&model_, &CaseModel::planChanged, this, [this] {
+    if (offers_.isTaking()) return void(emit changed());  // what another program sent is never aimed at
     if (!target())
       target_ = model_.current().plan.targets.empty()
                     ? QString()
@@ -59,7 +65,7 @@ TreatPresenter::~TreatPresenter() {
 void TreatPresenter::forgetCase() {
   stop("another case was opened");
   outputs_->setCase(model_.current().store.folder());
-  orders_.forget();
+  offers_.forget();
   second_.chooseTarget({});
   aligned_ = {};
   if (is_live_) recording_->capture.reset();

@@ -9,7 +9,6 @@
 
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
-#include "facenav/treat/live_orders.h"
 #include "facenav/treat/treatment.h"
 #include "shell/asynchronous_shutdown.h"
 #include "shell/case_model.h"
@@ -18,6 +17,7 @@
 #include "treat/aligned_head.h"
 #include "treat/cameras_presenter.h"
 #include "treat/followed_coil.h"
+#include "treat/offers_presenter.h"
 #include "treat/read_out.h"
 #include "treat/second_coil_choice.h"
 
@@ -117,14 +117,16 @@ class TreatPresenter : public QObject {
   /// false, after refused(), if one cannot be opened. `accepts`: takes targets and commands from clients,
   /// too.
   bool sendTo(const QString& words, bool accepts = false);
-  /// Obeys what clients sent to a running session since the last call. Returns the newest line about it;
-  /// empty if nothing came.
+  /// Obeys what clients sent since the last call. Commands need a running session; targets are offered at any
+  /// time. Returns the newest line about it; empty if nothing came.
   QString obeyOrders();
   bool isSending() const { return !outputs_->isEmpty(); }
   /// The open outputs, by their words.
   QStringList sendsTo() const;
   /// Outputs to offer beside the server, in the same words. Remembered; switched off at each start.
   QString otherOutputs() const;
+  /// The targets that clients offer.
+  OffersPresenter& offers() { return offers_; }
   /// Returns false, after refused(), if they are not understood.
   bool setOtherOutputs(const QString& words);
   /// Who is connected, one line each.
@@ -258,7 +260,7 @@ class TreatPresenter : public QObject {
   bool is_ending_ = false, stopped_for_end_ = false;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
-  steps::LiveOrders orders_;                     // outlives the outputs, whose server hands them over
+  OffersPresenter offers_;                       // outlives the outputs, whose server hands orders over
   std::shared_ptr<steps::LiveOutputs> outputs_ = std::make_shared<steps::LiveOutputs>();
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;

@@ -214,7 +214,7 @@ void TreatWorkspace::showSteps() {
   target_->clear();
   if (model_.isOpen())
     for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
-  target_->setCurrentText(presenter_.targetName());
+  target_->setCurrentIndex(target_->findText(presenter_.targetName()));
   target_->setToolTip(tr("the target to guide to: %1").arg(target_->currentText()));
   if (!is_outdated_ && model_.isOpen()) {
     scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());
