@@ -20,6 +20,7 @@
 #include "treat/offers_presenter.h"
 #include "treat/read_out.h"
 #include "treat/second_coil_choice.h"
+#include "treat/tracker_presenter.h"
 
 namespace facenav::ui {
 
@@ -34,6 +35,10 @@ class TreatPresenter : public QObject {
 
   /// Step 1: two live cameras.
   CamerasPresenter& cameras() { return cameras_; }
+  /// Step 1: another tracker in place of cameras.
+  TrackerPresenter& tracker() { return tracker_; }
+  /// True if head and coil come from another tracker.
+  bool hasTracker() const { return tracker_.isOpen(); }
   /// Step 1: opens and checks a recording folder.
   void openRecording(const QString& folder);
   /// Step 2: aligns from the capture pair. Starts step 3 afterwards if `then_start`.
@@ -120,13 +125,13 @@ class TreatPresenter : public QObject {
   /// Obeys what clients sent since the last call. Commands need a running session; targets are offered at any
   /// time. Returns the newest line about it; empty if nothing came.
   QString obeyOrders();
+  /// The targets that clients offer.
+  OffersPresenter& offers() { return offers_; }
   bool isSending() const { return !outputs_->isEmpty(); }
   /// The open outputs, by their words.
   QStringList sendsTo() const;
   /// Outputs to offer beside the server, in the same words. Remembered; switched off at each start.
   QString otherOutputs() const;
-  /// The targets that clients offer.
-  OffersPresenter& offers() { return offers_; }
   /// Returns false, after refused(), if they are not understood.
   bool setOtherOutputs(const QString& words);
   /// Who is connected, one line each.
@@ -164,8 +169,8 @@ class TreatPresenter : public QObject {
   /// True if everything needed to align is there.
   bool canAlign() const;
   bool canGoOn() const {
-    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty() &&
-           otherChoiceWords().isEmpty();
+    return recording_ && !hasTracker() && mayTreat() && !isRunning() && !tasks_.isRunning() &&
+           withheldWords().isEmpty() && otherChoiceWords().isEmpty();
   }
   /// Fault of the live cameras, or the fault or corrected motion that the last session found; empty if none.
   QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
@@ -237,6 +242,8 @@ class TreatPresenter : public QObject {
   void use(const AlignedHead& aligned);
   void begin(steps::PreparedTreatment& prepared);
   void useCameras();
+  void useTracker();
+  void alignByFile();
   void forgetCameras();
   void forgetCase();
   void listen();
@@ -249,6 +256,7 @@ class TreatPresenter : public QObject {
   CaseModel& model_;
   TaskRunner& tasks_;
   CamerasPresenter cameras_;
+  TrackerPresenter tracker_;
   std::optional<capture::Recording> recording_;  // with live cameras: the rig and the captured images
   bool is_live_ = false;
   mutable QString rig_fault_;

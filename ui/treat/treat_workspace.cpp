@@ -203,6 +203,7 @@ void TreatWorkspace::showSteps() {
   setWords(*guide_, guide_words[presenter_.isGuiding() ? 0 : shows_running_ ? 1 : 2]);
   keepWidthOf(guide_words, *guide_);
   end_->setVisible(presenter_.hasSession());
+  pictures_->setVisible(!presenter_.hasTracker());  // it has none
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
