@@ -67,10 +67,24 @@ Json jsonOf(const steps::ImportPreview& preview) {
           {"items", items}};
 }
 
+/// Tells several items that are refused for one reason in one line.
+void printRefused(const steps::ImportPreview& preview, const steps::RefusedItems& refused) {
+  constexpr std::size_t kNamed = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, refused.items.size()); ++i)
+    names += (i > 0 ? ", '" : "'") + preview.items[refused.items[i]].item.name + "'";
+  if (refused.items.size() > kNamed) names += ", ..";
+  std::printf("refused   %zu items (%s): %s\n", refused.items.size(), names.c_str(), refused.reason.c_str());
+}
+
 void print(const steps::ImportPreview& preview) {
   std::printf("%s\n", preview.file.words.c_str());
   for (const auto& note : preview.file.notes) std::printf("note: %s\n", note.c_str());
+  std::set<std::string> told;  // reasons of several items
+  for (const auto& refused : preview.refusals())
+    if (refused.items.size() > 1 && told.insert(refused.reason).second) printRefused(preview, refused);
   for (const auto& [item, fate, reason] : preview.items) {
+    if (fate == steps::ItemFate::refused && told.count(reason) > 0) continue;
     std::printf("%-9s %-9s '%s'", toString(fate).c_str(), toString(item.kind).c_str(), item.name.c_str());
     if (item.mri_T_coil) {
       const auto p = item.mri_T_coil->translation_mm();

@@ -21,6 +21,15 @@ void addSendOptions(CLI::App& verb, OutputChoice& choice) {
       ->check(understoodBy(links::requireLiveOutput));
 }
 
+void addAcceptOption(CLI::App& verb, OutputChoice& choice, const std::string& condition) {
+  verb.add_option("--accept", choice.accept,
+                  condition +
+                      "takes from its clients targets (TRANSFORM or POINT named Target_*; they are "
+                      "offered, never chosen), commands (start, stop, pulse), or targets,commands; default: "
+                      "nothing")
+      ->check(understoodBy([](const std::string& words) { links::incomingFrom(words); }));
+}
+
 void addOutputOptions(CLI::App& verb, OutputChoice& choice) {
   verb.add_option_function<std::string>(
           "--serve",
@@ -34,11 +43,7 @@ void addOutputOptions(CLI::App& verb, OutputChoice& choice) {
       ->check(understoodBy([](const std::string& port) {
         if (!port.empty()) links::requireLiveOutput("igtl:" + port);
       }));
-  verb.add_option(
-          "--accept", choice.accept,
-          "with --serve: takes from its clients targets (TRANSFORM or POINT named Target_*; they are "
-          "offered, never chosen), commands (start, stop, pulse), or targets,commands; default: nothing")
-      ->check(understoodBy([](const std::string& words) { links::incomingFrom(words); }));
+  addAcceptOption(verb, choice, "with --serve: ");
   addSendOptions(verb, choice);
 }
 

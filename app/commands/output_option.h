@@ -21,6 +21,8 @@ struct OutputChoice {
 
 /// Adds --serve [PORT], --accept, --address and --send.
 void addOutputOptions(CLI::App& verb, OutputChoice& choice);
+/// Adds --accept. `condition`: "with --serve: ", or empty for a verb that always serves.
+void addAcceptOption(CLI::App& verb, OutputChoice& choice, const std::string& condition);
 /// Adds --address and --send, for a verb that always serves.
 void addSendOptions(CLI::App& verb, OutputChoice& choice);
 /// Opens the outputs and says so on stderr; null if none is chosen. Throws Error if one cannot be opened.

@@ -23,6 +23,21 @@ struct ServeVerb {
   bool is_json = false;
 };
 
+/// Lets the clients ask what --accept says; `orders` outlives the outputs.
+links::LiveIncoming incomingOf(ServeVerb& verb, steps::LiveOrders& orders, const Context& context) {
+  if (verb.outputs.accept.empty()) return {};
+  const auto accepted = links::incomingFrom(verb.outputs.accept);
+  if (accepted.takes_targets && !verb.request.track.case_folder)
+    throw WrongUsage("targets of clients are judged by a case",
+                     "give it with --case, or accept commands only");
+  verb.request.orders = &orders;
+  if (!context.is_quiet)
+    verb.request.tell = [](const steps::OrderNews& news) {
+      std::fprintf(stderr, "%s\n", news.words.c_str());
+    };
+  return orders.incoming(accepted.takes_commands, accepted.takes_targets);
+}
+
 /// Throws Error for what is missing, before a port opens and its receivers are named.
 void requireInputs(const steps::TrackRequest& track) {
   capture::openRecording(track.recording);
@@ -32,6 +47,7 @@ void requireInputs(const steps::TrackRequest& track) {
 }
 
 void serve(Context& context, ServeVerb verb) {
+  steps::LiveOrders orders;
   auto& request = verb.request;
   const bool is_live = !verb.cameras.rig.empty() || !verb.cameras.left.empty();
   if (is_live == !request.track.recording.empty())
@@ -55,7 +71,7 @@ void serve(Context& context, ServeVerb verb) {
   if (!request.track.second_target.empty() && (!request.track.second_coil_file || !request.track.case_folder))
     throw WrongUsage("--second-target needs a second coil and a case", "give --coil twice, and --case");
   verb.outputs.is_served = true;
-  request.outputs = openOutputs(verb.outputs, context.is_quiet);
+  request.outputs = openOutputs(verb.outputs, context.is_quiet, incomingOf(verb, orders, context));
   const auto outcome = steps::servePoses(methods, request, context.monitor);
   if (verb.is_json) return printJson({{"frames", outcome.frames}, {"dropped", outcome.dropped}});
   if (!context.is_quiet)
@@ -81,6 +97,7 @@ void addServe(CLI::App& app, Context& context) {
   verb->add_option("--port", request->outputs.port, "port of the OpenIGTLink server; 0: any free one")
       ->capture_default_str()
       ->check(CLI::Range(0, 65535));
+  addAcceptOption(*verb, request->outputs, {});
   addSendOptions(*verb, request->outputs);
   verb->add_option("--seconds", request->request.seconds, "how long; default: to the end, or until Ctrl-C")
       ->check(CLI::Range(0.1, 86400.0));

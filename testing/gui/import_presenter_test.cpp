@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QSettings>
 
 #include "facenav/casefile/kept_session.h"
+#include "facenav/dicom/series.h"
 #include "gui_fixtures.h"
 #include "plan/export_presenter.h"
 #include "plan/other_words.h"
@@ -138,6 +140,8 @@ TEST_F(Imports, NoWordOfTheWindowNamesAnOptionOfTheCommandLine) {
       "the times of its pulses name no zone: taken as UTC+0 (--utc-offset)",
       "the file exists already: choose another name, or --replace",
       "holds one target: choose one with --target NAME",
+      "the case has 2 targets: name those to draw with --target",
+      "the file does not say its rate: taken as 1 A/us, SimNIBS's default (--didt)",
       "an option of a later version: --later-option"};
   for (const char* words : kWords) EXPECT_FALSE(inWindowWords(words).contains("--")) << words;
   EXPECT_EQ(
@@ -167,6 +171,53 @@ TEST_F(Imports, AnExportSaysWhatItWroteAndReplacesNothingUnasked) {
   EXPECT_FALSE(refusal.contains("--"));
   open({QString::fromStdString(order.output.string())});
   EXPECT_EQ(import_.summary(), "nothing comes in; 1 here already");
+}
+
+TEST_F(Imports, PlanAndReportAreWrittenForTheArchiveAndSent) {
+  open({write("a.csv", testing::coilPosition("M1", {-1, 0, 1})),
+        write("p.csv", testing::twoSessionsOfPulses())});
+  import_.bringIn();
+  dicom::writeSeries(*model_.current().mri, folder_.path() / "source", {});
+  std::vector<std::filesystem::path> sent;
+  ExportPresenter exports(model_, [&](const auto& node, const auto& path, auto&) {
+    EXPECT_EQ(node.host, "pacs.example");
+    sent.push_back(path);
+    return 1;
+  });
+  QSettings().clear();
+  EXPECT_EQ(exports.archiveWords(), "") << "none is set up";
+  QSettings().setValue("archive/host", "pacs.example");
+  QSettings().setValue("archive/title", "ARCHIVE");
+  EXPECT_EQ(exports.archiveWords(), "ARCHIVE at pacs.example");
+  QString refusal, written;
+  QObject::connect(&exports, &ExportPresenter::refused, [&](const QString& words) { refusal = words; });
+  QObject::connect(&exports, &ExportPresenter::written, [&](const QString& words) { written = words; });
+  const auto run = [&](const DicomWish& wish) {
+    refusal.clear();
+    written.clear();
+    exports.writeDicom(wish);
+    fixtures::waitFor([&] { return !exports.isWriting() && !(refusal + written).isEmpty(); });
+  };
+  const auto wish = [&](DicomKind kind, const char* name) {
+    return DicomWish{kind, {{"M1"}, folder_.path() / "source", folder_.path() / name}, exports.sessions()[0]};
+  };
+  run(wish(DicomKind::series, "plan"));
+  EXPECT_TRUE(written.contains("images with the patient's name")) << refusal.toStdString();
+  EXPECT_TRUE(sent.empty()) << "nothing is sent unasked";
+  auto segments = wish(DicomKind::segments, "plan.dcm");
+  segments.is_sent = true;
+  run(segments);
+  EXPECT_TRUE(written.endsWith("Sent: 1 files")) << refusal.toStdString();
+  EXPECT_EQ(sent, std::vector{folder_.path() / "plan.dcm"});
+  run(segments);
+  EXPECT_TRUE(refusal.contains("exists already") && !refusal.contains("--")) << refusal.toStdString();
+  run(wish(DicomKind::report, "report.dcm"));
+  EXPECT_TRUE(written.startsWith("Written: the report")) << refusal.toStdString();
+  auto elsewhere = wish(DicomKind::segments, "other.dcm");
+  elsewhere.order.source = folder_.path() / "case";
+  run(elsewhere);
+  EXPECT_FALSE(refusal.isEmpty());
+  QSettings().clear();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -14,11 +15,13 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "facenav/plan/imported_field.h"
 #include "facenav/scene/display.h"
 #include "facenav/surface/scalp_surface.h"
 #include "facenav/volume/nifti.h"
 #include "gui_fixtures.h"
 #include "plan/export_window.h"
+#include "plan/field_import_window.h"
 #include "plan/import_choices.h"
 #include "plan/import_list.h"
 #include "plan/import_view.h"
@@ -28,6 +31,7 @@
 #include "shell/elided_label.h"
 #include "shell/main_window.h"
 #include "support/coil_positions.h"
+#include "support/made_field_mesh.h"
 #include "support/window_checks.h"
 
 namespace facenav::ui {
@@ -190,8 +194,10 @@ TEST_F(ImportWindows, EveryMadeFileReadsWellInItsOwnHead) {
     const std::string file = entry.path().filename().string();
     const bool is_part = file.find("sub-01_") == 0;  // of a data set, which is read as a folder
     if (file.find("t1_") == 0 || file.find("truth") == 0 || is_part) continue;
-    window_->take({QString::fromStdString(entry.path().string())});
-    auto* shown = preview();
+    const QString path = QString::fromStdString(entry.path().string());
+    auto* shown = window_->findChild<ImportWindow*>();
+    shown ? shown->open({path}) : window_->take({path});  // one window reads all of them
+    shown = preview();
     ASSERT_TRUE(shown && shown->isVisible()) << file << ": " << message().toStdString();
     auto* list = shown->findChild<ImportList*>();
     EXPECT_GT(shown->presenter().targets() + shown->presenter().pulses() + (file == "GUMMarkers.xml"), 0)
@@ -202,8 +208,52 @@ TEST_F(ImportWindows, EveryMadeFileReadsWellInItsOwnHead) {
       fixtures::waitFor([] { return false; }, 300);
       keepPicture(*shown, "import_" + QString::fromStdString(file));
     }
-    leave(*shown);
   }
+}
+
+TEST_F(ImportWindows, ASetThatIsRefusedIsOneLine) {
+  open(fixtures::ballCase());
+  std::string far;
+  for (const char* name : {"a", "b", "c"}) far += testing::coilPosition(name, {0, 0, 1}, 900);
+  window_->take({write("far.csv", far + testing::coilPosition("M1", {-1, 0, 1}))});
+  auto* shown = preview();
+  ASSERT_TRUE(shown);
+  auto* list = shown->findChild<ImportList*>();
+  ASSERT_EQ(list->topLevelItemCount(), 1);
+  auto* refused = list->topLevelItem(0)->child(0);
+  ASSERT_EQ(list->topLevelItem(0)->childCount(), 2);
+  EXPECT_EQ(refused->text(0), "3 items");
+  EXPECT_TRUE(refused->text(1).startsWith("refused: its centre lies 900 mm"))
+      << refused->text(1).toStdString();
+  EXPECT_FALSE(refused->isExpanded());
+  ASSERT_EQ(refused->childCount(), 3);
+  EXPECT_EQ(refused->child(0)->text(1), "refused");
+  list->setCurrentItem(refused->child(1));
+  EXPECT_EQ(list->chosen().name, "b");
+  EXPECT_TRUE(list->describe().contains("900 mm")) << list->describe().toStdString();
+}
+
+TEST_F(ImportWindows, AFieldThatIsDroppedOnPlanIsOfferedForATarget) {
+  open(fixtures::ballWithBrain());
+  window_->take({write("one.csv", testing::coilPosition("M1", {0, 0, 1}))});
+  auto* shown = preview();
+  ASSERT_TRUE(shown);
+  QTest::keyClick(shown, Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(fixtures::waitFor([&] { return targets().size() == 1; }));
+  testing::FieldMeshLayout layout;
+  layout.brain_mm = 42;
+  const auto mesh = testing::madeFieldMesh(
+      layout, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, 0.02 * p.z(), 0); });
+  applyAppearance(*qApp, 2.0);
+  window_->take({write("sim.msh", mesh)});
+  auto* offered = window_->findChild<FieldImportWindow*>();
+  ASSERT_TRUE(offered);
+  ASSERT_TRUE(fixtures::waitFor([&] { return offered->presenter().canTakeIn(); }))
+      << offered->presenter().words().toStdString();
+  expectFits(*offered, "field_import_doubled");
+  QTest::keyClick(offered, Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(fixtures::waitFor([&] { return message().contains("tier 3"); })) << message().toStdString();
+  EXPECT_EQ(steps::importedFields(casefile::CaseStore::open(folder_.path() / "case")).size(), 1u);
 }
 
 TEST_F(ImportWindows, AnExportOffersTheTargetsAndANameWithoutThePatient) {
@@ -218,11 +268,25 @@ TEST_F(ImportWindows, AnExportOffersTheTargetsAndANameWithoutThePatient) {
   auto* exports = window_->findChild<ExportWindow*>();
   ASSERT_TRUE(exports);
   expectFits(*exports, "export");
-  auto* file = exports->findChild<QLineEdit*>();
+  auto* file = exports->findChild<QLineEdit*>("export_file");
   EXPECT_TRUE(file->text().endsWith("/brainsight.txt")) << file->text().toStdString();
   auto* list = exports->findChild<QListWidget*>();
   QTest::keyClick(list, Qt::Key_Space);
   EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked);
+  const QString written = path("targets.txt");
+  file->setText(written);
+  QTest::keyClick(exports, Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(QFileInfo::exists(written));
+  auto* formats = exports->findChild<QComboBox*>();
+  applyAppearance(*qApp, 2.0);
+  exports->resize(1366, 736);
+  for (int dicom = 3; dicom >= 1; --dicom) {
+    formats->setCurrentIndex(formats->count() - dicom);
+    expectFits(*exports, QString("export_doubled_%1").arg(dicom));
+  }
+  EXPECT_LE(exports->minimumSizeHint().width(), 1366);
+  EXPECT_LE(exports->minimumSizeHint().height(), 736);
+  EXPECT_EQ(exports->size(), QSize(1366, 736));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "facenav/plan/imported_field.h"
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
+#include "plan/field_import_presenter.h"
 #include "plan/field_panel.h"
 #include "shell/appearance.h"
 #include "support/made_field_mesh.h"
@@ -36,14 +37,17 @@ class PlanImportedField : public ::testing::Test {
   bool waitForField() {
     return fixtures::waitFor([&] { return field_.shown() != nullptr; });
   }
-  /// Imports a field whose strength grows with the height.
-  void importField() const {
+  /// Writes a field whose strength grows with the height.
+  std::filesystem::path writeField() const {
     testing::FieldMeshLayout layout;
     layout.brain_mm = 42;
     const auto file = folder_.path() / "sim.msh";
     std::ofstream(file, std::ios::binary) << testing::madeFieldMesh(
         layout, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, 0.02 * p.z(), 0); });
-    steps::FieldImport order{file};
+    return file;
+  }
+  void importField() const {
+    steps::FieldImport order{writeField()};
     order.target = plan_.active()->name;
     steps::importField(model_.current().store, order);
   }
@@ -81,6 +85,30 @@ TEST_F(PlanImportedField, ItIsNamedAndShownForItsPoseAlone) {
   ASSERT_TRUE(waitForField());
   EXPECT_EQ(field_.shown()->tier, steps::FieldTier::local_sphere) << "another pose";
   EXPECT_FALSE(choice->isVisibleTo(&panel));
+}
+
+TEST_F(PlanImportedField, AFileIsJudgedForATargetBeforeItIsTakenIn) {
+  FieldImportPresenter import(model_, plan_);
+  QString taken;
+  QObject::connect(&import, &FieldImportPresenter::takenIn, [&](const QString& words) { taken = words; });
+  const QString target = plan_.activeName();
+  import.open(QString::fromStdString(writeField().string()));
+  ASSERT_TRUE(fixtures::waitFor([&] { return import.canTakeIn(); })) << import.words().toStdString();
+  EXPECT_THAT(import.words().toStdString(), HasSubstr("V/m at 1 A/"));
+  EXPECT_THAT(import.words().toStdString(), ::testing::Not(HasSubstr("--")));
+  EXPECT_TRUE(steps::importedFields(model_.current().store).empty()) << "a preview writes nothing";
+  plan_.addTargetNear(Point<Mri>(0, -70, 10));
+  import.setTarget(plan_.activeName());
+  ASSERT_TRUE(
+      fixtures::waitFor([&] { return !import.isReading() && (import.isRefused() || import.canTakeIn()); }));
+  import.setTarget(target);
+  import.setRate(2);
+  ASSERT_TRUE(fixtures::waitFor([&] { return import.canTakeIn(); }));
+  import.takeIn();
+  ASSERT_TRUE(fixtures::waitFor([&] { return !taken.isEmpty(); })) << import.words().toStdString();
+  EXPECT_EQ(plan_.activeName(), target);
+  EXPECT_TRUE(field_.hasImported()) << "Plan shows it at once";
+  EXPECT_EQ(steps::importedFields(model_.current().store).front().rate_A_per_us, 2);
 }
 
 TEST_F(PlanImportedField, AnOpenMenuTakesNewChoicesAndWordsAtDoubledText) {

@@ -30,7 +30,8 @@ class Serve : public ::testing::Test {
 TEST_F(Serve, ARecordingWithoutAFaceIsServedAsLost) {
   const int port = freePort();
   auto program = std::async(std::launch::async, [&] {
-    return runFacenav("serve " + recording() + " --passes 0 --seconds 3 --port " + std::to_string(port));
+    return runFacenav("serve " + recording() + " --accept commands --passes 0 --seconds 3 --port " +
+                      std::to_string(port));
   });
   std::unique_ptr<LoopbackClient> client;
   for (int i = 0; i < 400 && !client; ++i) {
@@ -51,9 +52,13 @@ TEST_F(Serve, ARecordingWithoutAFaceIsServedAsLost) {
   ASSERT_TRUE(coil);
   EXPECT_EQ(coil->value("TransformValid"), "0");
   EXPECT_EQ(coil->value("TransformStatus"), "OUT_OF_VIEW");
+  client->ask("STRING", "", 1, links::stringContent({"stop"}));
+  client->ask("STRING", "", 1, links::stringContent({"pulse"}));
   EXPECT_TRUE(client->isClosed());
   const auto result = program.get();
   EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr(": no poses until start"));
+  EXPECT_THAT(result.errors, HasSubstr(": a pulse was given"));
   EXPECT_THAT(result.output, HasSubstr("frames served"));
   EXPECT_THAT(result.errors, HasSubstr("is connected"));
 }
@@ -62,8 +67,8 @@ TEST_F(Serve, OptionsThatDoNotFitAreWrongUsage) {
   const std::string some = "serve " + recording();
   for (const std::string& words :
        {std::string("serve"), some + " --rig R", some + " --target M1", some + " --send udp:5",
-        some + " --send osc", some + " --port 70000", std::string("serve --rig R --case C"),
-        "track " + recording() + " --serve -o poses.csv",
+        some + " --send osc", some + " --port 70000", some + " --accept targets", some + " --accept all",
+        std::string("serve --rig R --case C"), "track " + recording() + " --serve -o poses.csv",
         "track " + recording() + " --send osc:9 -o poses.csv",
         "track " + recording() + " --pulses keyboard --serve here -o poses.csv"})
     EXPECT_EQ(runFacenav(words).status, 2) << words;

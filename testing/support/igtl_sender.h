@@ -1,6 +1,6 @@
 #pragma once
-// An OpenIGTLink server of another tracker, for tests: it accepts one client and sends what the test says,
-// one write a message.
+// An OpenIGTLink server of another tracker, for tests: it accepts clients when the test asks and sends them
+// what the test says, one write a message.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "facenav/links/igtl_content.h"
 
@@ -23,12 +24,12 @@ class IgtlSender {
     at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof at;
     (void)::bind(listening_, reinterpret_cast<sockaddr*>(&at), size);
-    (void)::listen(listening_, 1);
+    (void)::listen(listening_, 4);
     (void)::getsockname(listening_, reinterpret_cast<sockaddr*>(&at), &size);
     port_ = ntohs(at.sin_port);
   }
   ~IgtlSender() {
-    ::close(client_);
+    for (const int client : clients_) ::close(client);
     ::close(listening_);
   }
   IgtlSender(const IgtlSender&) = delete;
@@ -41,13 +42,18 @@ class IgtlSender {
   }
   /// Waits for the client. Returns false if none has come within `limit_ms`.
   bool isConnected(int limit_ms = 20000) {
+    if (clients_.empty()) acceptOne(limit_ms);
+    return !clients_.empty();
+  }
+  /// Accepts one more client if one comes within `limit_ms`.
+  void acceptOne(int limit_ms = 0) {
     pollfd waiting{listening_, POLLIN, 0};
-    if (client_ < 0 && ::poll(&waiting, 1, limit_ms) > 0) client_ = ::accept(listening_, nullptr, nullptr);
-    return client_ >= 0;
+    if (::poll(&waiting, 1, limit_ms) <= 0) return;
+    if (const int client = ::accept(listening_, nullptr, nullptr); client >= 0) clients_.push_back(client);
   }
   void send(const links::IgtlMessage& message) const {
     const auto bytes = links::encoded(message);
-    (void)!::send(client_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    for (const int client : clients_) (void)!::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL);
   }
   /// Sends TRANSFORM. `stamp`: 0: that of now.
   void sendPose(const std::string& name, const Eigen::Isometry3d& pose, std::uint64_t stamp = 0,
@@ -63,7 +69,8 @@ class IgtlSender {
   }
 
  private:
-  int listening_ = -1, client_ = -1, port_ = 0;
+  int listening_ = -1, port_ = 0;
+  std::vector<int> clients_;
 };
 
 }  // namespace facenav::testing

@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
+#include <set>
 
 #include "plan/other_words.h"
 #include "shell/appearance.h"
@@ -15,11 +16,12 @@ using steps::ItemFate;
 
 constexpr int kMostPulses = 500;  // rows of a session, which says how many it has
 enum ImportColumn { kNameColumn, kFateColumn, kPlaceColumn, kKindColumn };
-enum ImportRole { kFileRole = Qt::UserRole, kItemRole, kSessionRole, kRowNameRole };
+enum ImportRole { kFileRole = Qt::UserRole, kItemRole, kSessionRole, kRowNameRole, kReasonRole };
 
 ImportRow importRowOf(const QTreeWidgetItem& item) {
   return {item.data(0, kFileRole).toInt(), item.data(0, kItemRole).toInt(),
-          item.data(0, kSessionRole).toBool(), item.data(0, kRowNameRole).toString()};
+          item.data(0, kSessionRole).toBool(), item.data(0, kRowNameRole).toString(),
+          item.data(0, kReasonRole).toString()};
 }
 
 /// "Brainsight text export, version 12; 2 refused", or why the file cannot be read.
@@ -30,6 +32,9 @@ QString fileWords(const steps::PreviewedFile& file) {
     words += ImportList::tr("; %1 refused").arg(refused);
   return words;
 }
+
+/// True if the reason stands in a row above the item's: several are refused for it.
+bool isToldAbove(const steps::RefusedItems& refused) { return refused.items.size() > 1; }
 
 struct SessionCount {
   int pulses = 0, with_pose = 0, refused = 0;
@@ -104,7 +109,7 @@ void ImportList::fill() {
   clear();
   for (int file = 0; file < int(presenter_.files().size()); ++file) fillFile(file);
   for (QTreeWidgetItemIterator it(this); *it; ++it)
-    (*it)->setExpanded(was_empty ? importRowOf(**it).item < 0 && !importRowOf(**it).is_session
+    (*it)->setExpanded(was_empty ? !(*it)->parent()
                                  : std::find(open.begin(), open.end(), importRowOf(**it)) != open.end());
   auto* current = find(row);
   if (!current && topLevelItemCount() > 0)
@@ -119,10 +124,31 @@ void ImportList::fillFile(int file) {
   const auto& previewed = presenter_.files()[std::size_t(file)];
   const QString name = QString::fromStdString(previewed.order.file.filename().string());
   auto* top = addRow(nullptr, {file, -1, false, name}, {name, fileWords(previewed), {}, tr("file")});
+  std::set<std::size_t> told;
+  for (const auto& refused : previewed.preview.refusals())
+    if (isToldAbove(refused)) {
+      told.insert(refused.items.begin(), refused.items.end());
+      addRefused(top, file, refused);
+    }
   for (int i = 0; i < int(previewed.preview.items.size()); ++i) {
     const auto& item = previewed.preview.items[std::size_t(i)].item;
+    if (told.count(std::size_t(i)) > 0) continue;
     auto* parent = item.kind == Kind::pulse ? sessionRow(top, file, item.session) : top;
     if (parent == top || parent->childCount() < kMostPulses) addItem(parent, file, i);
+  }
+}
+
+/// Adds a row for several items that are refused for one reason; their own rows lie below it.
+void ImportList::addRefused(QTreeWidgetItem* top, int file, const steps::RefusedItems& refused) {
+  steps::PreviewedItem all;
+  all.fate = ItemFate::refused;
+  all.reason = refused.reason;
+  const ImportRow row{file, -1, false, {}, QString::fromStdString(refused.reason)};
+  auto* above = addRow(top, row, {tr("%1 items").arg(refused.items.size()), fateWords(all), {}, {}});
+  const auto shown = std::min<std::size_t>(refused.items.size(), kMostPulses);
+  for (std::size_t i = 0; i < shown; ++i) {
+    addItem(above, file, int(refused.items[i]));
+    above->child(int(i))->setText(kFateColumn, tr("refused"));
   }
 }
 
@@ -132,6 +158,7 @@ QTreeWidgetItem* ImportList::addRow(QTreeWidgetItem* parent, const ImportRow& ro
   added->setData(0, kItemRole, row.item);
   added->setData(0, kSessionRole, row.is_session);
   added->setData(0, kRowNameRole, row.name);
+  added->setData(0, kReasonRole, row.reason);
   for (int column = 0; column < texts.size(); ++column) added->setToolTip(column, texts[column]);
   return added;
 }
@@ -191,8 +218,7 @@ QString ImportList::describe() const {
                  .arg(row.name, QString::fromStdString(previewed.item.where), fateWords(previewed));
     for (const auto& note : previewed.item.notes) lines << inWindowWords(note);
   } else {
-    lines << tr("%1: %2").arg(row.is_session && row.name.isEmpty() ? tr("pulses") : row.name,
-                              currentItem()->text(kFateColumn));
+    lines << tr("%1: %2").arg(currentItem()->text(kNameColumn), currentItem()->text(kFateColumn));
   }
   if (file.failure.empty() && presenter_.t1()) lines << assumedWords(file, presenter_.t1()->used);
   for (const auto& note : file.preview.file.notes) lines << inWindowWords(note);

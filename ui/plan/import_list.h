@@ -12,10 +12,11 @@ namespace facenav::ui {
 struct ImportRow {
   int file = -1, item = -1;  // of ImportPresenter::files(); item -1: the file itself, or a session
   bool is_session = false;
-  QString name;  // of the item or the session
+  QString name;         // of the item or the session
+  QString reason = {};  // of a row that stands for several items that are refused for it
   bool operator==(const ImportRow& other) const {
     return file == other.file && (item < 0) == (other.item < 0) && is_session == other.is_session &&
-           name == other.name;
+           name == other.name && reason == other.reason;
   }
 };
 
@@ -41,6 +42,7 @@ class ImportList : public QTreeWidget {
   void fillFile(int file);
   QTreeWidgetItem* addRow(QTreeWidgetItem* parent, const ImportRow& row, const QStringList& texts);
   void addItem(QTreeWidgetItem* parent, int file, int item);
+  void addRefused(QTreeWidgetItem* top, int file, const steps::RefusedItems& refused);
   QTreeWidgetItem* sessionRow(QTreeWidgetItem* parent, int file, const std::string& session);
   void setTick(QTreeWidgetItem& row, bool is_taken);
   QTreeWidgetItem* find(const ImportRow& row) const;

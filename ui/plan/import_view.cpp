@@ -8,24 +8,16 @@
 namespace facenav::ui {
 namespace {
 
-constexpr double kPick_mm = 25;        // a coil over thick hair lies so far from the skin under the mouse
-constexpr int kMostNames = 40;         // more would cover the head
-constexpr double kShownDepth_mm = 25;  // of the cortex under a coil, for its line
+constexpr double kPick_mm = 25;  // a coil over thick hair lies so far from the skin under the mouse
+constexpr int kMostNames = 40;   // more would cover the head
 
-bool isOfRow(const ImportRow& row, int file, int item, const interop::Item& of) {
+bool isOfRow(const ImportRow& row, int file, int item, const steps::PreviewedItem& previewed) {
+  const auto& of = previewed.item;
   if (row.file != file) return false;
   if (row.item >= 0) return row.item == item;
+  if (!row.reason.isEmpty())
+    return previewed.fate == steps::ItemFate::refused && previewed.reason == row.reason.toStdString();
   return !row.is_session || (of.kind == interop::Kind::pulse && of.session == row.name.toStdString());
-}
-
-/// The target as Plan would draw it. Its points only place the ring and the line.
-guidance::Target shownTarget(const RigidTransform<Mri, Coil>& mri_T_coil) {
-  guidance::Target target;
-  target.name = "chosen";
-  target.mri_T_target = mri_T_coil.reframe<Mri, frames::Target>();
-  target.scalp_point = Point<Mri>(mri_T_coil.translation_mm());
-  target.cortex_point = mri_T_coil * Point<Coil>(0, 0, kShownDepth_mm);
-  return target;
 }
 
 }  // namespace
@@ -70,15 +62,16 @@ void ImportView::draw() {
   const auto& files = presenter_.files();
   for (int file = 0; file < int(files.size()); ++file)
     for (int i = 0; i < int(files[std::size_t(file)].preview.items.size()); ++i) {
-      const auto& [item, fate, reason] = files[std::size_t(file)].preview.items[std::size_t(i)];
+      const auto& previewed = files[std::size_t(file)].preview.items[std::size_t(i)];
+      const auto& [item, fate, reason] = previewed;
       const auto place = importedPlace(item);
       if (!place) continue;
-      const bool is_chosen = isOfRow(chosen_, file, i, item);
+      const bool is_chosen = isOfRow(chosen_, file, i, previewed);
       const bool stays_out = fate == steps::ItemFate::refused || fate == steps::ItemFate::left_out;
       if (item.kind != interop::Kind::pulse) names.push_back({item.name, *place});
       if (!item.mri_T_coil) continue;
       marks.push_back({*item.mri_T_coil, {}, scene::palette::kBlue, stays_out, is_chosen});
-      if (is_chosen && targets.empty()) targets.push_back(shownTarget(*item.mri_T_coil));
+      if (is_chosen && targets.empty()) targets.push_back(shownTarget("chosen", *item.mri_T_coil));
     }
   coils_->set(marks);
   if (names.size() > kMostNames) names.clear();

@@ -32,8 +32,9 @@ QString inWindowWords(const std::string& words) {
         {"name (the|that) T1 with --t1", QObject::tr("choose \\1 T1 under T1")},
         {"give --replace, or rename it", QObject::tr("tick Replace, or rename it")},
         {", or --replace", QObject::tr(", or tick Replace")},
-        {" \\(--utc-offset\\)", QString()},
+        {" \\(--(utc-offset|didt)\\)", QString()},
         {"choose one with --target NAME", QObject::tr("tick one target")},
+        {"name those to draw with --target", QObject::tr("tick those to draw")},
         {"; with --session (\\w+)", QObject::tr("; with a session: \\1")},
         {"facenav target makes a target there",
          QObject::tr("type its coordinates in Plan for a target there")},
@@ -72,6 +73,16 @@ QString fateWords(const steps::PreviewedItem& item) {
 std::optional<Point<Mri>> importedPlace(const interop::Item& item) {
   if (item.mri_T_coil) return Point<Mri>(item.mri_T_coil->translation_mm());
   return item.mri_place;
+}
+
+guidance::Target shownTarget(const std::string& name, const RigidTransform<Mri, Coil>& mri_T_coil) {
+  constexpr double kShownDepth_mm = 25;  // of the cortex under a coil, for its line
+  guidance::Target target;
+  target.name = name;
+  target.mri_T_target = mri_T_coil.reframe<Mri, frames::Target>();
+  target.scalp_point = Point<Mri>(mri_T_coil.translation_mm());
+  target.cortex_point = mri_T_coil * Point<Coil>(0, 0, kShownDepth_mm);
+  return target;
 }
 
 QString importedPlaceWords(const interop::Item& item) {

@@ -17,6 +17,8 @@ QString fateWords(const steps::PreviewedItem& item);
 QString importedPlaceWords(const interop::Item& item);
 /// The place of an item in Mri, with or without a pose.
 std::optional<Point<Mri>> importedPlace(const interop::Item& item);
+/// A pose as Plan draws it before it is a target. Its points only place the ring and the line.
+guidance::Target shownTarget(const std::string& name, const RigidTransform<Mri, Coil>& mri_T_coil);
 /// Space, form and T1 that the file's coordinates were taken for. `used`: form of the case's T1 in use.
 QString assumedWords(const steps::PreviewedFile& file, const std::string& used);
 

@@ -63,6 +63,8 @@ class PlanPresenter : public QObject {
   /// Takes a plan with imported targets, as one step. Throws Error if it cannot be written; nothing has
   /// changed then, and refused() is not emitted.
   void takePlan(const guidance::TreatmentPlan& next, const QString& active);
+  /// Has everything that shows the plan look again: a file beside it has changed.
+  void showAgain() { emit changed(); }
   /// Moves the active target up (-1) or down (1) in the list.
   void moveActive(int places);
   /// Undoes the last step. The target that was active before it is active again, unless another one was

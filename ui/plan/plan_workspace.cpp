@@ -195,6 +195,8 @@ QWidget* PlanWorkspace::makeTargetsPanel() {
   fault_->setObjectName("fault");
   fault_->hide();
   column->addWidget(heading);
+  offer_place_ = new QVBoxLayout;
+  column->addLayout(offer_place_);
   for (auto* label : {hint_, fault_}) {
     makeNarrow(*label);
     whenTextScales(this, [label] { label->setMinimumHeight(sized(kTwoLines_px)); });
@@ -346,25 +348,6 @@ void PlanWorkspace::showBrain() {
   view.scene().setBrainLook(cortex_.look());
   view.scene().setPeelDepth(cortex_.peel_mm());
   is_peeling ? view.refreshPeeling() : view.refreshMoving();
-}
-
-void PlanWorkspace::showPlan() {
-  showFault({});
-  const auto* active = presenter_.active();
-  detail_->setText(active ? place_.describe(active->cortex_point) + "\n" + presenter_.depthWords(*active)
-                          : tr("no target chosen"));
-  const QString compared = presenter_.compareWords(compared_with_);
-  if (!compared.isEmpty()) detail_->setText(detail_->text() + "\n" + compared);
-  showFields();
-  undo_->setEnabled(presenter_.canUndo());
-  redo_->setEnabled(presenter_.canRedo());
-  remove_->setEnabled(active && !active->is_locked);
-  if (is_outdated_ || !model_.isOpen()) return;
-  auto& scene = views_->sceneView().scene();
-  scene.setCoilGhost(active ? std::optional(active->mri_T_target) : std::nullopt);
-  views_->setTargets(presenter_.plan(), presenter_.activeName().toStdString());
-  views_->setCoil(presenter_.slicedCoil(), tr("no target chosen"));
-  if (active) views_->setCrosshair(active->cortex_point);
 }
 
 void PlanWorkspace::showEvent(QShowEvent*) {

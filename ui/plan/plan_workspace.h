@@ -17,10 +17,13 @@ class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace facenav::ui {
 
 class LinkedViews;
+class OfferPanel;
+class OffersPresenter;
 class PlacePanel;
 class ShownTools;
 class TargetList;
@@ -35,6 +38,8 @@ class PlanWorkspace : public QWidget {
   /// Ends what computes on all cores, for a treatment.
   void stopBuilding();
 
+  /// Shows targets that another program offers, with a preview in the head.
+  void showOffersOf(OffersPresenter& offers);
   /// Has models of the head's field that are older than its masks built again by this queue.
   void buildFieldsBy(PrepareQueue& queue) { field_->buildBy(queue); }
 
@@ -59,6 +64,7 @@ class PlanWorkspace : public QWidget {
   void showFault(const QString& words);
   void showCase();
   void showPlan();
+  void showCoils();
   void showBrain();
   void takeCortex();
 
@@ -78,6 +84,8 @@ class PlanWorkspace : public QWidget {
   ShownTools* shown_;
   PlacePanel* place_panel_;
   TargetList* targets_;
+  QVBoxLayout* offer_place_;
+  OfferPanel* offer_ = nullptr;
   QLabel *detail_, *hint_, *fault_;
   QLineEdit *search_, *note_;
   QString compared_with_;

@@ -44,6 +44,10 @@ void storeNode(const pacs::PacsNode& node) {
 
 }  // namespace
 
+std::optional<pacs::PacsNode> keptArchive() {
+  return QSettings().contains("archive/host") ? std::optional(storedNode()) : std::nullopt;
+}
+
 ArchivePresenter::ArchivePresenter(const Services& services, PrepareQueue& queue, QObject* parent)
     : QObject(parent), services_(services), queue_(queue), node_(storedNode()) {
   retrieval_ = pacs::Retrieval(std::clamp(QSettings().value("archive/retrieval", 0).toInt(), 0, 2));

@@ -4,6 +4,7 @@
 // files lie in a private folder that is removed when the case is made.
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "prepare/prepare_queue.h"
@@ -11,6 +12,9 @@
 #include "shell/task_runner.h"
 
 namespace facenav::ui {
+
+/// The archive as it was set up; nothing if it never was.
+std::optional<pacs::PacsNode> keptArchive();
 
 class ArchivePresenter : public QObject {
   Q_OBJECT

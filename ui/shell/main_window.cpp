@@ -59,6 +59,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   stack_->addWidget(prepare_workspace_);
   auto* plan_workspace = new PlanWorkspace(plan_, place_, cortex_, model_, stack_);
   plan_workspace->buildFieldsBy(queue_);
+  plan_workspace->showOffersOf(treat_.offers());
   stack_->addWidget(plan_workspace);
   stack_->addWidget(treat_workspace);
   review_workspace_ = new ReviewWorkspace(review_, replay_, model_, stack_);
@@ -138,6 +139,10 @@ void MainWindow::connectPrepare() {
 /// Connects the steps. Must follow connectWords(): signals that show come before those that restore.
 void MainWindow::connectSteps(TreatWorkspace& treat_workspace) {
   connect(&treat_, &TreatPresenter::sessionEnded, this, &MainWindow::showEnded);
+  auto& offers = treat_.offers();
+  offers.keepBy(
+      [this](const guidance::TreatmentPlan& plan, const QString& taken) { plan_.takePlan(plan, taken); });
+  connect(&offers, &OffersPresenter::shown, this, [this] { setWorkspace(Workspace::plan); });
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::holdQueue);
   connect(&treat_, &TreatPresenter::changed, this, &MainWindow::remember);
   connect(prepare_workspace_, &PrepareWorkspace::stepChanged, this, &MainWindow::remember);

@@ -74,7 +74,8 @@ class MainWindow : public QMainWindow {
   void importOther(QStringList files = {});
   /// Opens the window that writes targets and pulses for another program.
   void exportOther();
-  /// Takes what was dropped: files of other programs on Plan and Review, a case, a recording, or a scan.
+  /// Takes what was dropped: files of other programs on Plan and Review, an electric field on Plan, a case, a
+  /// recording, or a scan.
   void take(const QStringList& dropped_paths);
   /// Opens the manual where it describes the page in view.
   void showHelp();
@@ -101,6 +102,7 @@ class MainWindow : public QMainWindow {
   void showLive(const ReadOut& read_out);
   void goOnPlaying();
   void takeScan(const QString& path);
+  void importField(const QString& file, const QString& surface, bool may_be_scan);
   void showImported(const QString& words, bool has_targets, const QString& session);
   void holdQueue();
   void remember();

@@ -8,6 +8,7 @@
 
 #include "facenav/plan/other_files.h"
 #include "plan/export_window.h"
+#include "plan/field_import_window.h"
 #include "plan/import_window.h"
 #include "prepare/prepare_workspace.h"
 #include "shell/main_window.h"
@@ -26,10 +27,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
   take(paths);
 }
 
-/// A page of Prepare or Treat takes no file of another program: there it means a scan.
+/// A page of Prepare or Treat takes no file of another program: there it means a scan. A field is taken where
+/// targets are, in Plan.
 void MainWindow::take(const QStringList& paths) {
   const bool takes_others = workspace() == Workspace::plan || workspace() == Workspace::review;
-  QStringList others;
+  QStringList others, unknown;
+  QString field;
+  bool may_be_scan = false;
   for (const QString& path : paths) {
     const bool is_ours = QFileInfo::exists(path + "/case.json") || QFileInfo::exists(path + "/stereo.yml");
     if (is_ours || !takes_others) {
@@ -38,14 +42,36 @@ void MainWindow::take(const QStringList& paths) {
     }
     const auto found = steps::filesAt(path.toStdString());
     for (const auto& file : found.others) others << QString::fromStdString(file.string());
-    if (found.may_be_scan)
+    const bool is_field =
+        !found.fields.empty() && field.isEmpty() && model_.isOpen() && workspace() == Workspace::plan;
+    if (is_field) {
+      field = path;
+      may_be_scan = found.may_be_scan;
+    } else if (found.may_be_scan) {
       takeScan(path);
-    else if (found.others.empty())
-      task_bar_->showMessage(
-          tr("%1 is no file of another navigator, no case and no scan").arg(QFileInfo(path).fileName()),
-          true);
+    } else if (found.others.empty()) {
+      unknown << path;
+    }
   }
+  if (!field.isEmpty() && unknown.size() == 1 && unknown.front().endsWith(".gii", Qt::CaseInsensitive))
+    importField(field, unknown.takeFirst(), may_be_scan);
+  else if (!field.isEmpty())
+    importField(field, {}, may_be_scan);
+  for (const QString& path : unknown)
+    task_bar_->showMessage(
+        tr("%1 is no file of another navigator, no case and no scan").arg(QFileInfo(path).fileName()), true);
   if (!others.isEmpty()) importOther(others);
+}
+
+void MainWindow::importField(const QString& file, const QString& surface, bool may_be_scan) {
+  if (auto* shown = findChild<FieldImportWindow*>()) shown->close();
+  auto* window = new FieldImportWindow(model_, plan_, may_be_scan, this);
+  connect(window, &FieldImportWindow::takenIn, this,
+          [this](const QString& words) { task_bar_->showMessage(words, false); });
+  connect(window, &FieldImportWindow::scanMeant, this, &MainWindow::takeScan);
+  window->open(file, surface);
+  window->show();
+  window->activateWindow();
 }
 
 /// Opens a case, passes a recording to Treat, and queues anything else to become a case.
@@ -87,8 +113,8 @@ void MainWindow::showImported(const QString& words, bool has_targets, const QStr
 void MainWindow::exportOther() {
   if (!model_.isOpen()) return task_bar_->showMessage(tr("open the case first that shall be exported"), true);
   if (auto* shown = findChild<ExportWindow*>()) shown->close();
-  auto* window =
-      new ExportWindow(model_, workspace() == Workspace::review ? review_.chosen() : QString(), this);
+  const QString session = workspace() == Workspace::review ? review_.chosen() : QString();
+  auto* window = new ExportWindow(model_, session, services_.storeInArchive, this);
   connect(window, &ExportWindow::written, this,
           [this](const QString& words) { task_bar_->showMessage(words, false); });
   window->show();

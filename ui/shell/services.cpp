@@ -40,6 +40,7 @@ void addScans(Services& services) {
     std::filesystem::create_directories(folder.parent_path());
     return pacs::retrieve(node, series.study_uid, series.series_uid, folder, how, monitor);
   };
+  services.storeInArchive = pacs::store;
   services.readTemplate = [] { return atlas::readColin27(); };
 }
 

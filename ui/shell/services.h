@@ -59,6 +59,8 @@ struct Services {
   std::function<pacs::Received(const pacs::PacsNode&, const pacs::PacsSeries&,
                                const std::filesystem::path& folder, pacs::Retrieval, TaskMonitor&)>
       fetchFromArchive;
+  /// Sends a DICOM file, or the files of a folder. Returns how many.
+  std::function<int(const pacs::PacsNode&, const std::filesystem::path&, TaskMonitor&)> storeInArchive;
   /// Makes the case folder, or replaces the model of an existing case.
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Builds the electric field's model of a case. Empty: it is not built.

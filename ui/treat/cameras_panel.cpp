@@ -15,6 +15,7 @@
 #include "shell/scroll_column.h"
 #include "shell/words_of_button.h"
 #include "treat/camera_choice.h"
+#include "treat/tracker_panel.h"
 
 namespace facenav::ui {
 namespace {
@@ -64,6 +65,7 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
                            Qt::CTRL + Qt::SHIFT + Qt::Key_R);
   column->addWidget(recording);
   connect(recording, &QPushButton::clicked, this, &CamerasPanel::chooseRecording);
+  column->addWidget(new TrackerPanel(presenter, this));
   timer_.setInterval(kRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { isVisible() ? showState() : timer_.stop(); });
   connect(&cameras_, &CamerasPresenter::changed, this, [this] {

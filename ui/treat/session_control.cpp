@@ -75,15 +75,20 @@ QStringList TreatPresenter::targetNames() const {
 }
 
 QString TreatPresenter::obeyOrders() {
-  if (!isRunning() || !model_.isOpen()) return {};
+  const steps::OrderReceiver nobody{[](const auto&) { return std::string("no session runs"); }};
+  const auto* store = model_.isOpen() ? &model_.current().store : nullptr;
   QString newest;
   try {
-    for (const auto& news : orders_.obey(*treatment_, model_.current().store))
+    auto& orders = offers_.orders();
+    for (const auto& news :
+         isRunning() && store ? orders.obey(*treatment_, *store) : orders.obey(nobody, store))
       newest = QString::fromStdString(news.words);
   } catch (const Error& error) {
     newest = QString::fromUtf8(error.what());
   }
-  if (!newest.isEmpty()) emit changed();  // a command may have paused the session
+  if (newest.isEmpty()) return newest;
+  offers_.tellNews();
+  emit changed();  // a command may have paused the session
   return newest;
 }
 
@@ -94,7 +99,8 @@ bool TreatPresenter::sendTo(const QString& words, bool accepts) {
     if (!wanted.contains(each)) outputs_->close(each.toStdString());
   try {
     for (const auto& each : wanted)
-      if (!open.contains(each)) outputs_->open(each.toStdString(), orders_.incoming(accepts, accepts));
+      if (!open.contains(each))
+        outputs_->open(each.toStdString(), offers_.orders().incoming(accepts, accepts));
   } catch (const Error& error) {
     emit refused(QString::fromUtf8(error.what()));
     is_opened = false;

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
+#include "treat/offer_panel.h"
 #include "treat/outputs_row.h"
 #include "treat/screens_row.h"
 #include "treat/second_coil_row.h"
@@ -32,6 +33,7 @@ SessionPanel::SessionPanel(TreatPresenter& treat, SessionSounds& sounds, SecondS
     : QFrame(parent), treat_(treat), sounds_(sounds) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
+  column->addWidget(new OfferPanel(treat.offers(), OfferPanel::Page::treat, this));
   for (QWidget* each : {makePause(), makePain(), makeAdverse(), makeSource(), makeSound()})
     column->addWidget(each);
   column->addWidget(new SecondCoilRow(treat, this));

@@ -5,7 +5,9 @@
 #include "facenav/core/error.h"
 #include "facenav/core/software_version.h"
 #include "facenav/prepare/sign_off_gate.h"
+#include "facenav/treat/served_tracker.h"
 #include "facenav/treat/session_return.h"
+#include "facenav/treat/tracker_alignment.h"
 #include "plan/field_presenter.h"
 #include "treat/recording_words.h"
 
@@ -17,6 +19,8 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
       model_(model),
       tasks_(tasks),
       cameras_(services, tasks),
+      tracker_(model),
+      offers_(model),
       pulse_source_(QSettings().value(kPulseSource).toString()),
       overlays_(
           [this](std::shared_ptr<const pictures::DrawnOverlay> drawn) {
@@ -42,7 +46,21 @@ TreatPresenter::TreatPresenter(const Services& services, CaseModel& model, TaskR
     emit changed();
   });
   connect(&cameras_, &CamerasPresenter::refused, this, &TreatPresenter::refused);
+  connect(&tracker_, &TrackerPresenter::opened, this, &TreatPresenter::useTracker);
+  connect(&tracker_, &TrackerPresenter::closed, this, [this] {
+    if (!is_live_ && !isRunning()) recording_.reset();
+  });
+  connect(&tracker_, &TrackerPresenter::alignmentChanged, this, [this] {
+    if (hasTracker() && !isRunning()) aligned_ = {};
+  });
+  connect(&tracker_, &TrackerPresenter::changed, this, &TreatPresenter::changed);
+  connect(&tracker_, &TrackerPresenter::refused, this, &TreatPresenter::refused);
+  connect(&offers_, &OffersPresenter::refused, this, &TreatPresenter::refused);
+  connect(&offers_, &OffersPresenter::decided, this, [this](const QString& event, const QString& words) {
+    if (treatment_) treatment_->log().addEvent(event.toStdString(), words.toStdString());
+  });
   connect(&model_, &CaseModel::planChanged, this, [this] {
+    if (offers_.isTaking()) return void(emit changed());  // what another program sent is never aimed at
     if (!target())
       target_ = model_.current().plan.targets.empty()
                     ? QString()
@@ -59,7 +77,7 @@ TreatPresenter::~TreatPresenter() {
 void TreatPresenter::forgetCase() {
   stop("another case was opened");
   outputs_->setCase(model_.current().store.folder());
-  orders_.forget();
+  offers_.forget();
   second_.chooseTarget({});
   aligned_ = {};
   if (is_live_) recording_->capture.reset();
@@ -79,6 +97,7 @@ void TreatPresenter::openRecording(const QString& folder) {
             steps::openTreatmentFilm(std::filesystem::path(folder.toStdString())));
         return [this, film] {
           stop("another recording was opened");
+          tracker_.close();
           recording_ = film->recording;
           is_live_ = false;
           rig_fault_.clear();
@@ -96,9 +115,23 @@ void TreatPresenter::startTask(const QString& title, const QString& doing, TaskR
   emit changed();
 }
 
+/// Uses another tracker's head and coil; the old alignment is no longer valid.
+void TreatPresenter::useTracker() {
+  stop("another tracker is used");
+  if (cameras_.hasPictures()) cameras_.closeCameras();
+  recording_ = capture::Recording{};
+  recording_->rig = steps::makeFramesWithoutPictures()->rig();
+  is_live_ = false;
+  coil_.useRemembered();
+  aligned_ = {};
+  rig_fault_.clear();
+  emit changed();
+}
+
 /// Uses the cameras; the old alignment is no longer valid.
 void TreatPresenter::useCameras() {
   stop("the cameras were opened again");
+  tracker_.close();
   recording_ = capture::Recording{};
   recording_->rig = cameras_.lastOpened()->rig;
   is_live_ = true;
@@ -129,6 +162,7 @@ void TreatPresenter::chooseCoil(const QString& name) {
 }
 
 bool TreatPresenter::canAlign() const {
+  if (hasTracker() && !tracker_.hasAlignment()) return false;
   return recording_ && mayTreat() && !isRunning() && (!is_live_ || recording_->capture) &&
          withheldWords().isEmpty() && otherChoiceWords().isEmpty();
 }
@@ -145,6 +179,7 @@ void TreatPresenter::align(bool then_start) {
     if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
     return;
   }
+  if (hasTracker()) return alignByFile();
   startTask(tr("Aligning the head"), tr("ALIGNING: the face is measured and fitted to the scan"),
             [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
              recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
@@ -153,6 +188,24 @@ void TreatPresenter::align(bool then_start) {
                 use(aligned);
                 emit changed();
                 if (then_start) start();
+              };
+            });
+}
+
+/// Takes the alignment of the tool on the head from its file.
+void TreatPresenter::alignByFile() {
+  startTask(tr("Aligning the head"), tr("ALIGNING: the tracker's alignment is read"),
+            [this, store = model_.current().store, is_overridden = model_.override().has_value(),
+             file = tracker_.tracker().alignment](TaskMonitor&) -> TaskRunner::Delivery {
+              steps::requireSignOff(store, is_overridden);
+              AlignedHead aligned;
+              aligned.outcome = std::make_shared<const steps::AlignmentOutcome>(
+                  steps::outcomeOf(steps::readTrackerAlignment(file), store));
+              return [this, aligned] {
+                use(aligned);
+                for (const auto& caution : aligned.outcome->result.cautions)
+                  emit refused(QString::fromStdString(caution));
+                emit changed();
               };
             });
 }
@@ -209,12 +262,23 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   if (is_live_) request.keepLearnt = cameras_.keeper();
   if (const auto& given = model_.override())
     request.override = {given->by.toStdString(), given->reason.toStdString()};
+  if (hasTracker()) {
+    if (request.second.has_value() != !tracker_.tracker().second_coil.empty())
+      return void(
+          emit refused(tr("a second coil needs its name at the tracker (step 1), and that name a coil")));
+    request.has_cameras = false;
+    request.is_coil_served = true;
+  }
   steps::CameraTurnover cameras{is_live_ ? cameras_.opener() : nullptr, cameras_.release()};
-  startTask(tr("Starting the trackers"), tr("STARTING: the trackers get ready"),
-            [this, request, cameras](TaskMonitor&) mutable -> TaskRunner::Delivery {
-              const auto prepared = steps::prepareTreatment(request, services_.makeNavigator, cameras);
-              return [this, prepared] { begin(*prepared); };
-            });
+  startTask(
+      tr("Starting the trackers"), tr("STARTING: the trackers get ready"),
+      [this, request, cameras, tracker = hasTracker() ? std::optional(tracker_.tracker()) : std::nullopt](
+          TaskMonitor&) mutable -> TaskRunner::Delivery {
+        const auto prepared = tracker ? std::make_shared<steps::PreparedTreatment>(
+                                            steps::prepareTreatment(request, steps::devicesOf(*tracker)))
+                                      : steps::prepareTreatment(request, services_.makeNavigator, cameras);
+        return [this, prepared] { begin(*prepared); };
+      });
 }
 
 /// Begins a session. One that ended by itself still exists with its log, so it is ended first.
@@ -277,6 +341,7 @@ QString TreatPresenter::recordingFolder() const {
 
 QString TreatPresenter::recordingWords() const {
   if (!recording_) return tr("no cameras");
+  if (hasTracker()) return tracker_.nameWords();
   if (is_live_)
     return tr("cameras %1 and %2, live").arg(cameras_.lastOpened()->left, cameras_.lastOpened()->right);
   return wordsOf(*recording_);
@@ -299,7 +364,7 @@ std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
 }
 
 void TreatPresenter::askOverlay(std::shared_ptr<const session::NavigationState> state) {
-  if (!recording_ || !state->images) return;
+  if (!recording_ || !state->images || hasTracker()) return;
   const auto* t = target();
   pictures::OverlayOrder order{recording_->rig, std::move(state),
                                t ? std::optional<guidance::Target>(*t) : std::nullopt};

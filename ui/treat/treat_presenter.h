@@ -9,7 +9,6 @@
 
 #include "facenav/casefile/session_so_far.h"
 #include "facenav/pictures/overlay_worker.h"
-#include "facenav/treat/live_orders.h"
 #include "facenav/treat/treatment.h"
 #include "shell/asynchronous_shutdown.h"
 #include "shell/case_model.h"
@@ -18,8 +17,10 @@
 #include "treat/aligned_head.h"
 #include "treat/cameras_presenter.h"
 #include "treat/followed_coil.h"
+#include "treat/offers_presenter.h"
 #include "treat/read_out.h"
 #include "treat/second_coil_choice.h"
+#include "treat/tracker_presenter.h"
 
 namespace facenav::ui {
 
@@ -34,6 +35,10 @@ class TreatPresenter : public QObject {
 
   /// Step 1: two live cameras.
   CamerasPresenter& cameras() { return cameras_; }
+  /// Step 1: another tracker in place of cameras.
+  TrackerPresenter& tracker() { return tracker_; }
+  /// True if head and coil come from another tracker.
+  bool hasTracker() const { return tracker_.isOpen(); }
   /// Step 1: opens and checks a recording folder.
   void openRecording(const QString& folder);
   /// Step 2: aligns from the capture pair. Starts step 3 afterwards if `then_start`.
@@ -117,9 +122,11 @@ class TreatPresenter : public QObject {
   /// false, after refused(), if one cannot be opened. `accepts`: takes targets and commands from clients,
   /// too.
   bool sendTo(const QString& words, bool accepts = false);
-  /// Obeys what clients sent to a running session since the last call. Returns the newest line about it;
-  /// empty if nothing came.
+  /// Obeys what clients sent since the last call. Commands need a running session; targets are offered at any
+  /// time. Returns the newest line about it; empty if nothing came.
   QString obeyOrders();
+  /// The targets that clients offer.
+  OffersPresenter& offers() { return offers_; }
   bool isSending() const { return !outputs_->isEmpty(); }
   /// The open outputs, by their words.
   QStringList sendsTo() const;
@@ -162,8 +169,8 @@ class TreatPresenter : public QObject {
   /// True if everything needed to align is there.
   bool canAlign() const;
   bool canGoOn() const {
-    return recording_ && mayTreat() && !isRunning() && !tasks_.isRunning() && withheldWords().isEmpty() &&
-           otherChoiceWords().isEmpty();
+    return recording_ && !hasTracker() && mayTreat() && !isRunning() && !tasks_.isRunning() &&
+           withheldWords().isEmpty() && otherChoiceWords().isEmpty();
   }
   /// Fault of the live cameras, or the fault or corrected motion that the last session found; empty if none.
   QString rigFault() const { return withheldWords().isEmpty() ? rig_fault_ : withheldWords(); }
@@ -235,6 +242,8 @@ class TreatPresenter : public QObject {
   void use(const AlignedHead& aligned);
   void begin(steps::PreparedTreatment& prepared);
   void useCameras();
+  void useTracker();
+  void alignByFile();
   void forgetCameras();
   void forgetCase();
   void listen();
@@ -247,6 +256,7 @@ class TreatPresenter : public QObject {
   CaseModel& model_;
   TaskRunner& tasks_;
   CamerasPresenter cameras_;
+  TrackerPresenter tracker_;
   std::optional<capture::Recording> recording_;  // with live cameras: the rig and the captured images
   bool is_live_ = false;
   mutable QString rig_fault_;
@@ -258,7 +268,7 @@ class TreatPresenter : public QObject {
   bool is_ending_ = false, stopped_for_end_ = false;
   std::optional<Point<Mri>> spot_;
   std::shared_ptr<steps::Treatment> treatment_;  // null if none was started
-  steps::LiveOrders orders_;                     // outlives the outputs, whose server hands them over
+  OffersPresenter offers_;                       // outlives the outputs, whose server hands orders over
   std::shared_ptr<steps::LiveOutputs> outputs_ = std::make_shared<steps::LiveOutputs>();
   AsynchronousShutdown retirement_;
   std::filesystem::path last_session_;

@@ -37,6 +37,11 @@ std::optional<RigidTransform<Mri, frames::Target>> secondCoilOf(const session::N
 /// The newest state in words; before guidance: what is missing for it.
 ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_started) const {
   ReadOut read_out = makeReadOut(state);
+  if (presenter_.hasTracker()) {
+    const bool is_there = presenter_.tracker().isConnected();
+    read_out.cameras = {is_there ? tr("TRACKER on") : tr("TRACKER away"), presenter_.tracker().words(),
+                        is_there ? Level::good : Level::lost};
+  }
   const QString doing = presenter_.isRunning() ? QString() : presenter_.doingWords();
   if (was_started) {
     if (presenter_.isPaused()) return whilePaused(read_out, presenter_.pauseWords());
@@ -56,11 +61,12 @@ ReadOut TreatWorkspace::readOut(const session::NavigationState& state, bool was_
                                                   : tr("NOT ALIGNED");
   read_out.level = Level::idle;
   read_out.timing.clear();
-  read_out.cameras = {has_moved                   ? tr("CAMERAS moved")
-                      : presenter_.hasRecording() ? tr("CAMERAS ready")
-                                                  : tr("CAMERAS none"),
-                      {},
-                      has_moved ? Level::lost : Level::idle};
+  if (!presenter_.hasTracker())
+    read_out.cameras = {has_moved                   ? tr("CAMERAS moved")
+                        : presenter_.hasRecording() ? tr("CAMERAS ready")
+                                                    : tr("CAMERAS none"),
+                        {},
+                        has_moved ? Level::lost : Level::idle};
   read_out.face = {tr("FACE idle"), {}, Level::idle};
   read_out.coil = {tr("COIL idle"), {}, Level::idle};
   return read_out;

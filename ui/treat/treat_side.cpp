@@ -56,6 +56,8 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
   bulls_eye_and_figures_->setContentsMargins(0, 0, 0, 0);
   tabs_ = makeTabs();
   column->addWidget(tabs_);
+  connect(&treat.offers(), &OffersPresenter::changed, this,
+          [this, &offers = treat.offers()] { markOffers(offers); });
   auto* scrolled = new QWidget(this);
   scrolled->setLayout(bulls_eye_and_figures_);
   column_ = new ScrollColumn(scrolled, kFigures_px, this);
@@ -91,6 +93,12 @@ QTabBar* TreatSide::makeTabs() {
     arrange();
   });
   return tabs;
+}
+
+/// Marks the tool in which an offered target waits.
+void TreatSide::markOffers(const OffersPresenter& offers) {
+  const QString mark = offers.all().empty() ? QString() : QString(" ") + QChar(0x25cf);
+  tabs_->setTabText(int(Tool::session), tr("Session") + mark);
 }
 
 void TreatSide::showTool(Tool tool) { tabs_->setCurrentIndex(int(tool)); }

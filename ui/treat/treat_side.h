@@ -46,6 +46,7 @@ class TreatSide : public QWidget {
 
  private:
   QTabBar* makeTabs();
+  void markOffers(const OffersPresenter& offers);
   void arrange();
 
   QStackedWidget* tools_;

@@ -203,6 +203,7 @@ void TreatWorkspace::showSteps() {
   setWords(*guide_, guide_words[presenter_.isGuiding() ? 0 : shows_running_ ? 1 : 2]);
   keepWidthOf(guide_words, *guide_);
   end_->setVisible(presenter_.hasSession());
+  pictures_->setVisible(!presenter_.hasTracker());  // it has none
   align_->setEnabled(presenter_.canAlign());
   // Stopping is always possible.
   guide_->setEnabled(shows_running_ || (presenter_.isAligned() && presenter_.mayTreat()));
@@ -214,7 +215,7 @@ void TreatWorkspace::showSteps() {
   target_->clear();
   if (model_.isOpen())
     for (const auto& t : model_.current().plan.targets) target_->addItem(QString::fromStdString(t.name));
-  target_->setCurrentText(presenter_.targetName());
+  target_->setCurrentIndex(target_->findText(presenter_.targetName()));
   target_->setToolTip(tr("the target to guide to: %1").arg(target_->currentText()));
   if (!is_outdated_ && model_.isOpen()) {
     scene_->scene().setTargets(model_.current().plan.targets, presenter_.targetName().toStdString());

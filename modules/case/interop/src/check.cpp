@@ -20,6 +20,8 @@ constexpr double kSameT1_mm = 0.1;        // two maps that agree at all corners
 constexpr double kRounded = 6e-4;         // deviation that 4 decimals can cause
 constexpr double kFromSkin_mm = 60;       // no coil is planned farther from the skin
 constexpr double kNearSkin_mm = 30;       // coils with thick hair and a cap under them lie nearer
+constexpr double kOnEdge = 0.35;          // cosine: 70 degrees from the way to the head's middle
+constexpr double kAlongOther = 0.8;       // cosine: the other axis lies within 37 degrees of it
 constexpr double kOtherSpaceBetter = 15;  // mm nearer to the skin: the other reading fits better
 
 /// Why the file as a whole cannot be taken; empty if it can.
@@ -219,8 +221,14 @@ void judgePose(Item& item, const Judging& by) {
     return;
   }
   const Eigen::Vector3d inwards = (head.centre_mm - centre_mm).normalized();
-  if (item.mri_T_coil->rotation().col(2).dot(inwards) < -0.2)
+  const Eigen::Vector3d into_head = item.mri_T_coil->rotation().transpose() * inwards;
+  if (into_head.z() < -0.2)
     item.notes.push_back("its axis points out of the head: compare it with the other program");
+  else if (into_head.z() < kOnEdge && into_head.head<2>().cwiseAbs().maxCoeff() > kAlongOther)
+    item.notes.push_back(formatted(
+        "its coil stands on edge: its %c axis, not z, points into the head or out of it; are its axes "
+        "in another order?",
+        std::abs(into_head.x()) > std::abs(into_head.y()) ? 'x' : 'y'));
   const auto skin_mm = fromSkin_mm(head.skin_mm, centre_mm);
   if (skin_mm && *skin_mm > kFromSkin_mm)
     item.notes.push_back("its centre lies " + millimetres(*skin_mm) + " from the skin");
@@ -248,20 +256,41 @@ void judge(Item& item, const Judging& by) {
   if (item.kind == Kind::pulse) item.reason += formatted(" (at %.1f %.1f %.1f mm)", p.x(), p.y(), p.z());
 }
 
+/// Median distance of the poses from the skin, mm, if their axes are those of `space` and their unit is
+/// `unit_mm`; less than 0: there is no pose.
+double medianFromSkin_mm(const OtherFile& file, const CaseHead& head, Space space, double unit_mm) {
+  std::vector<double> all_mm;
+  for (const auto& item : file.items)
+    if (item.pose && item.pose->allFinite() && all_mm.size() < 50) {
+      const Eigen::Vector3d at = inRas(*item.pose, space).topRightCorner<3, 1>();
+      if (const auto mm = fromSkin_mm(head.skin_mm, unit_mm * at)) all_mm.push_back(*mm);
+    }
+  if (all_mm.empty()) return -1.0;
+  std::sort(all_mm.begin(), all_mm.end());
+  return all_mm[all_mm.size() / 2];
+}
+
+/// Says that the poses fit the skin much better in another unit; empty if they do not.
+std::string otherUnitFits(const OtherFile& file, const CaseHead& head, Space space) {
+  constexpr std::pair<double, const char*> kUnits[] = {{1000, "metres"}, {10, "centimetres"}};
+  const double as_is_mm = medianFromSkin_mm(file, head, space, 1);
+  for (const auto& [unit_mm, name] : kUnits) {
+    const double as_other_mm = medianFromSkin_mm(file, head, space, unit_mm);
+    if (as_is_mm <= kNearSkin_mm || as_other_mm > kNearSkin_mm || as_other_mm > as_is_mm - kOtherSpaceBetter)
+      continue;
+    return formatted(
+        "its poses lie %.0f mm from the skin, and %.0f mm if its lengths are %s: export it in "
+        "millimetres",
+        as_is_mm, as_other_mm, name);
+  }
+  return {};
+}
+
 /// Says that the poses fit the skin much better in the other of RAS and LPS; empty if they do not.
 std::string otherSpaceFits(const OtherFile& file, const CaseHead& head, Space space) {
-  const auto median_mm = [&](Space as) {
-    std::vector<double> all_mm;
-    for (const auto& item : file.items)
-      if (item.pose && item.pose->allFinite() && all_mm.size() < 50)
-        if (const auto mm = fromSkin_mm(head.skin_mm, inRas(*item.pose, as).topRightCorner<3, 1>()))
-          all_mm.push_back(*mm);
-    if (all_mm.empty()) return -1.0;
-    std::sort(all_mm.begin(), all_mm.end());
-    return all_mm[all_mm.size() / 2];
-  };
   const Space other = space == Space::ras ? Space::lps : Space::ras;
-  const double as_is_mm = median_mm(space), as_other_mm = median_mm(other);
+  const double as_is_mm = medianFromSkin_mm(file, head, space, 1);
+  const double as_other_mm = medianFromSkin_mm(file, head, other, 1);
   if (as_is_mm < 0 || as_other_mm > kNearSkin_mm || as_other_mm > as_is_mm - kOtherSpaceBetter) return {};
   return formatted("as %s its poses lie %.0f mm from the skin, as %s %.0f mm", toString(space).c_str(),
                    as_is_mm, toString(other).c_str(), as_other_mm) +
@@ -332,6 +361,8 @@ void check(OtherFile& file, const CaseHead& head, const Answers& answers, const 
                                                      : byOwnWords(file, form, head);
   if (!change.refusal.empty()) return refuseAll(file, change.refusal);
   file.notes.insert(file.notes.end(), change.notes.begin(), change.notes.end());
+  if (const std::string other = otherUnitFits(file, head, space); !other.empty())
+    return refuseAll(file, other);
   if (!answers.space)
     if (const std::string doubt = otherSpaceFits(file, head, space); !doubt.empty())
       return refuseAll(file, doubt);

@@ -18,14 +18,24 @@ namespace {
 
 constexpr double kSamePose = 1e-6;  // in mm and in the rotation: one pose that stands in two lists
 
+/// True for UTF-16, with its mark or without: every other byte of Latin text is 0 then.
+bool isUtf16(const std::string& content) {
+  if (startsWith(content, "\xFF\xFE") || startsWith(content, "\xFE\xFF")) return true;
+  constexpr std::size_t kLooked = 32;
+  if (content.size() < kLooked) return false;
+  int zeros[2] = {0, 0};
+  for (std::size_t i = 0; i < kLooked; ++i) zeros[i % 2] += content[i] == '\0';
+  const int all = int(kLooked) / 2;
+  return (zeros[0] == all && zeros[1] == 0) || (zeros[1] == all && zeros[0] == 0);
+}
+
 /// Names a kind of file that is known and cannot be read; empty if it is none of them.
 std::string knownButNotRead(const std::string& content) {
   if (startsWith(content, "\x89HDF\r\n"))
     return "is an HDF5 file: save a .mat as version 7 or older, a transform as .tfm";
   if (contains(content.substr(0, 520), "MATLAB 7.3 MAT-file"))
     return "is a .mat of version 7.3: save it with '-v7'";
-  if (startsWith(content, "\xFF\xFE") || startsWith(content, "\xFE\xFF"))
-    return "is text in UTF-16: save it as UTF-8";
+  if (isUtf16(content)) return "is text in UTF-16: save it as UTF-8";
   if (startsWith(content, "SQLite format 3"))
     return "is a database, perhaps a Brainsight project: export its targets as text";
   if (startsWith(content, "PK"))
@@ -35,6 +45,12 @@ std::string knownButNotRead(const std::string& content) {
   if (startsWith(content, "# Version: 1\n") || startsWith(content, "# Version: 1\r"))
     return "is a Brainsight stream of poses without targets or pulses";
   return {};
+}
+
+/// A table as a spreadsheet saved it, in the form that the readers of tables know; nothing for other text.
+std::optional<std::string> savedBySpreadsheet(const std::string& content) {
+  auto table = withCommas(content);
+  return table && (isSimnibsCsv(*table) || isOwnCsv(*table)) ? table : std::nullopt;
 }
 
 std::vector<Format> makeFormats() {
@@ -166,7 +182,8 @@ bool isKnown(const std::string& content) {
   if (startsWith(content, "\xEF\xBB\xBF")) return isKnown(content.substr(3));
   if (!knownButNotRead(content).empty() && !startsWith(content, "PK")) return true;
   return std::any_of(formats().begin(), formats().end(),
-                     [&](const Format& format) { return format.recognises && format.recognises(content); });
+                     [&](const Format& format) { return format.recognises && format.recognises(content); }) ||
+         savedBySpreadsheet(content);
 }
 
 OtherFile readOther(const std::filesystem::path& path, const T1* t1) {
@@ -184,10 +201,14 @@ OtherFile readOtherText(Source source) {
   const std::string file = source.path.string();
   if (trimmed(source.content).empty()) throw Error("is empty", file, "export it again");
   if (const auto why = knownButNotRead(source.content); !why.empty()) throw Error(why, file);
+  const auto table = savedBySpreadsheet(source.content);
+  if (table) source.content = *table;
   for (const auto& format : formats()) {
     if (!format.recognises || !format.recognises(source.content)) continue;
     OtherFile read = format.read(source);
     read.format = format.name;
+    if (table)
+      read.notes.push_back("its cells are separated as a spreadsheet does it; decimal commas are points");
     if (holdsDecimalCommas(source.content, read))
       throw Error("its numbers have decimal commas", file, "export it with decimal points");
     return finished(std::move(read), source.path);

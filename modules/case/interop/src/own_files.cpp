@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<Eigen::Matrix4d> poseOf(const Columns& columns, const std::vector<std::string>& cells) {
+std::optional<Eigen::Matrix4d> poseOf(const Columns& columns, const std::vector<std::string>& cells,
+                                      std::string& refusal) {
   if (columns.has("m00")) {
     std::vector<double> numbers;
     for (int i = 0; i < 12; ++i) numbers.push_back(columns.number(cells, formatted("m%d%d", i / 4, i % 4)));
@@ -27,6 +28,8 @@ std::optional<Eigen::Matrix4d> poseOf(const Columns& columns, const std::vector<
                              columns.number(cells, "qy"), columns.number(cells, "qz"));
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
   const bool is_unit = std::abs(q.norm() - 1.0) < 1e-2;
+  if (!is_unit && std::isfinite(q.norm()))
+    refusal = formatted("its quaternion has the length %.3g instead of 1", q.norm());
   pose.topLeftCorner<3, 3>() = is_unit ? Eigen::Matrix3d(q.normalized().toRotationMatrix())
                                        : Eigen::Matrix3d(Eigen::Matrix3d::Constant(std::nan("")));
   pose.topRightCorner<3, 1>() << columns.number(cells, "tx"), columns.number(cells, "ty"),
@@ -52,7 +55,8 @@ Item itemOf(const Columns& columns, const std::vector<std::string>& cells) {
                                     columns.number(cells, "tz"));
     return item;
   }
-  item.pose = poseOf(columns, cells);
+  item.pose = poseOf(columns, cells, item.refusal);
+  if (!item.refusal.empty()) item.pose.reset();
   if (!item.pose)
     item.reason = columns.text(cells, "reason").empty() ? "no pose" : columns.text(cells, "reason");
   item.target = columns.text(cells, "target");

@@ -28,7 +28,10 @@ Item coilOf(const std::vector<std::string>& cells) {
   Item item;
   const Eigen::Vector3d z = threeOf(cells, 4), y = threeOf(cells, 7);
   item.pose = poseOfColumns(threeOf(cells, 1), y.cross(z), y, z);
-  if (cells.size() > 11) item.name = cells[11];
+  if (cells.size() > 11)
+    item.name = cells[11];
+  else if (cells.size() == 11 && !valueIn(cells[10]))
+    item.name = cells[10];  // a table without the distance
   if (const auto distance_mm = cells.size() > 10 ? valueIn(cells[10]) : std::nullopt;
       distance_mm && *distance_mm != 0)
     item.values["distance_mm"] = cells[10];

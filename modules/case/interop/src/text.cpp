@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "facenav/core/csv_table.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/utc_time.h"
@@ -33,7 +35,7 @@ std::vector<std::string> cellsOf(const std::string& line, char separator) {
   return cells;
 }
 
-std::vector<std::string> csvCellsOf(const std::string& line) {
+std::vector<std::string> csvCellsOf(const std::string& line, char separator) {
   std::vector<std::string> cells(1);
   bool is_quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -42,12 +44,32 @@ std::vector<std::string> csvCellsOf(const std::string& line) {
       cells.back() += line[++i];
     else if (c == '"')
       is_quoted = !is_quoted;
-    else if (c == ',' && !is_quoted)
+    else if (c == separator && !is_quoted)
       cells.emplace_back();
     else
       cells.back() += c;
   }
   return cells;
+}
+
+std::optional<std::string> withCommas(const std::string& content) {
+  constexpr int kLeastCells = 5;  // of the first line: a kind and a place, at least
+  const auto lines = linesOf(content);
+  if (lines.empty()) return std::nullopt;
+  const auto separatorsIn = [&](char c) { return std::count(lines[0].begin(), lines[0].end(), c); };
+  const char separator = separatorsIn(';') > separatorsIn('\t') ? ';' : '\t';
+  if (separatorsIn(separator) + 1 < kLeastCells) return std::nullopt;
+  std::string table;
+  for (const auto& line : lines) {
+    bool is_first = true;
+    for (const auto& cell : csvCellsOf(line, separator)) {
+      std::string point = cell;
+      std::replace(point.begin(), point.end(), ',', '.');
+      table += (std::exchange(is_first, false) ? "" : ",") + csvField(valueIn(point) ? point : cell);
+    }
+    table += "\n";
+  }
+  return table;
 }
 
 bool endsInQuotes(const std::string& line) { return std::count(line.begin(), line.end(), '"') % 2 != 0; }

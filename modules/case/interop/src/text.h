@@ -21,7 +21,10 @@ std::vector<std::string> linesOf(const std::string& content);
 /// Cells of a line, also empty ones.
 std::vector<std::string> cellsOf(const std::string& line, char separator);
 /// Cells of a line of CSV: in double quotes, these doubled inside.
-std::vector<std::string> csvCellsOf(const std::string& line);
+std::vector<std::string> csvCellsOf(const std::string& line, char separator = ',');
+/// A table whose cells a spreadsheet separated by semicolons or tabs, with commas between them and decimal
+/// points in its numbers; nothing for other text.
+std::optional<std::string> withCommas(const std::string& content);
 /// True for a line of CSV that ends inside a quoted cell: it is cut short.
 bool endsInQuotes(const std::string& line);
 std::string trimmed(const std::string& text);

@@ -27,6 +27,7 @@ NiftiForms readNiftiForms(const std::filesystem::path& path) {
   forms.is_template_space = map.is_template_space;
   const auto voxels = std::size_t(image->nx) * std::size_t(image->ny) * std::size_t(image->nz);
   forms.values = int(image->nvox / voxels);
+  forms.holds_fractions = image->datatype == DT_FLOAT32 || image->datatype == DT_FLOAT64;
   return forms;
 }
 

@@ -167,16 +167,27 @@ int ImportPreview::pulses() const {
   }));
 }
 
-std::string ImportPreview::refusal() const {
-  const int refused = count(ItemFate::refused);
-  for (const auto& item : items) {
-    if (item.fate != ItemFate::refused) continue;
-    std::string line =
-        toString(item.item.kind) + " '" + item.item.name + "' (" + item.item.where + "): " + item.reason;
-    if (refused > 1) line += formatted("; and %d more", refused - 1);
-    return line;
+std::vector<RefusedItems> ImportPreview::refusals() const {
+  std::vector<RefusedItems> all;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].fate != ItemFate::refused) continue;
+    const auto [place, is_new] = places.emplace(items[i].reason, all.size());
+    if (is_new) all.push_back({items[i].reason, {}});
+    all[place->second].items.push_back(i);
   }
-  return {};
+  return all;
+}
+
+std::string ImportPreview::refusal() const {
+  const auto refused = refusals();
+  if (refused.empty()) return {};
+  const auto& first = items[refused.front().items.front()].item;
+  const int alike = int(refused.front().items.size());
+  std::string line = alike > 1 ? formatted("%d items, the first ", alike) : std::string();
+  line += toString(first.kind) + " '" + first.name + "' (" + first.where + "): " + refused.front().reason;
+  if (const int others = count(ItemFate::refused) - alike) line += formatted("; and %d more", others);
+  return line;
 }
 
 interop::CaseHead caseHead(const casefile::CaseStore& store) {

@@ -161,6 +161,10 @@ bool isFieldFile(const std::filesystem::path& file) {
   return kind != FieldFile::other && kind != FieldFile::vtp;
 }
 
+bool needsSurface(const std::filesystem::path& file) {
+  return fieldFileOf(file) == FieldFile::surface_values;
+}
+
 ImportedField previewField(const casefile::CaseStore& store, const FieldImport& order) {
   return judgedField(store, order).field;
 }

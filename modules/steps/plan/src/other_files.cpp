@@ -4,9 +4,12 @@
 #include <cctype>
 #include <fstream>
 
+#include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "facenav/interop/formats.h"
+#include "facenav/plan/imported_field.h"
 #include "facenav/volume/nifti.h"
+#include "facenav/volume/nifti_forms.h"
 
 namespace facenav::steps {
 namespace fs = std::filesystem;
@@ -40,6 +43,17 @@ bool isOther(const fs::path& file, const std::string& start) {
   return is_text ? interop::isKnown(readWholeFile(file)) : interop::isKnown(start);
 }
 
+/// True for a NIfTI of vectors or of fractions, as a field is. A scan may hold fractions, too.
+/// A damaged one is for the scan's reader to refuse.
+bool mayHoldField(const fs::path& nifti) {
+  try {
+    const auto forms = volume::readNiftiForms(nifti);
+    return forms.values == 3 || (forms.values == 1 && forms.holds_fractions);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 DroppedFiles filesIn(const fs::path& folder) {
   DroppedFiles found;
   found.may_be_scan = true;
@@ -50,7 +64,7 @@ DroppedFiles filesIn(const fs::path& folder) {
     if (!it->is_regular_file()) continue;
     ++count;
     const std::string start = startOf(it->path());
-    if (isDicom(start)) return {{}, true};
+    if (isDicom(start)) return {{}, {}, true};
     if (!isScan(it->path(), start) && isOther(it->path(), start)) found.others.push_back(it->path());
   }
   std::sort(found.others.begin(), found.others.end());
@@ -62,12 +76,16 @@ DroppedFiles filesIn(const fs::path& folder) {
 
 DroppedFiles filesAt(const fs::path& path) {
   try {
-    if (interop::isSessionFolder(path)) return {{path}, false};
+    if (interop::isSessionFolder(path)) return {{path}, {}, false};
     if (fs::is_directory(path)) return filesIn(path);
     if (!fs::is_regular_file(path)) return {};
     const std::string start = startOf(path);
-    if (isScan(path, start)) return {{}, true};
-    if (interop::isSessionArchive(path) || isOther(path, start)) return {{path}, false};
+    if (isDicom(start)) return {{}, {}, true};
+    if (volume::isNiftiName(path) && isFieldFile(path) && mayHoldField(path))
+      return {{}, {path}, volume::readNiftiForms(path).values == 1};
+    if (isScan(path, start)) return {{}, {}, true};
+    if (interop::isSessionArchive(path) || isOther(path, start)) return {{path}, {}, false};
+    if (isFieldFile(path)) return {{}, {path}, false};
   } catch (const std::exception&) {  // unreadable: none of these
   }
   return {};

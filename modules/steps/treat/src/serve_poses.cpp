@@ -1,5 +1,6 @@
 #include "facenav/treat/serve_poses.h"
 
+#include <atomic>
 #include <thread>
 
 #include "facenav/capture/recording.h"
@@ -40,6 +41,43 @@ Serving startServing(const Registrations& methods, const ServeRequest& request, 
   return serving;
 }
 
+/// Obeys clients where no session runs: they can hold back the poses, and pass on pulses.
+class ServedOrders {
+ public:
+  explicit ServedOrders(const ServeRequest& request)
+      : orders_(request.orders), outputs_(request.outputs), tell_(request.tell) {
+    if (request.track.case_folder) store_ = casefile::CaseStore::open(*request.track.case_folder);
+  }
+  void look() {
+    if (!orders_) return;
+    const OrderReceiver receiver{[this](const links::LiveOrder& order) { return obey(order); }};
+    for (const auto& news : orders_->obey(receiver, store_ ? &*store_ : nullptr))
+      if (tell_) tell_(news);
+  }
+  /// Sends a state; every pose in it is lost while a client has stopped them. Thread-safe.
+  void publish(const session::NavigationState& state) const {
+    if (is_stopped_) return outputs_->publish(session::blanked(state, LostReason::stale));
+    outputs_->publish(state);
+  }
+
+ private:
+  std::string obey(const links::LiveOrder& order) {
+    if (order.name == "pulse") {
+      outputs_->publish(pulseOf(order));
+      return "a pulse was given";
+    }
+    const bool stops = order.name == "stop";
+    if (is_stopped_.exchange(stops) == stops) return stops ? "poses were stopped already" : "poses were sent";
+    return stops ? "no poses until start" : "poses are sent again";
+  }
+
+  LiveOrders* orders_;
+  std::shared_ptr<LiveOutputs> outputs_;
+  std::function<void(const OrderNews&)> tell_;
+  std::optional<casefile::CaseStore> store_;
+  std::atomic<bool> is_stopped_{false};
+};
+
 std::string servingWords(const LiveOutputs& outputs, const session::NavigationState& state) {
   const std::string loss = session::lossInWords(state);
   return formatted("%s; %d connected", loss.empty() ? "head and coil tracked" : loss.c_str(),
@@ -55,9 +93,11 @@ ServeOutcome servePoses(const Registrations& methods, const ServeRequest& reques
   options.speed = request.speed;
   session::Session session(std::move(serving.source), std::move(serving.tracking.navigator), options);
   if (request.track.case_folder) request.outputs->setCase(*request.track.case_folder);
-  session.follow([outputs = request.outputs](const auto& state) { outputs->publish(state); });
+  const auto served = std::make_shared<ServedOrders>(request);
+  session.follow([served](const auto& state) { served->publish(state); });
   session.start();
   while (!session.hasEnded() && (request.seconds <= 0 || session.elapsed_s() < request.seconds)) {
+    served->look();
     try {
       monitor.report(servingWords(*request.outputs, *session.latest()),
                      request.seconds > 0 ? session.elapsed_s() / request.seconds : -1.0);

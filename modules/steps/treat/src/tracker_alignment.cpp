@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "facenav/core/json_reader.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/whole_file.h"
 #include "facenav/geometry/json_transform.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/measured_face/skin_model.h"
@@ -114,6 +117,20 @@ TrackerAlignment readTrackerAlignment(const std::filesystem::path& path) {
   alignment.mri_T_subject = readTransform<Mri, Head>(json.at("mri_T_subject"));
   alignment.covariance.diagonal().tail<3>().setConstant(alignment.error_mm * alignment.error_mm / 3);
   return alignment;
+}
+
+void writeTouchedPoints(const std::vector<TouchedPoint>& points, double error_mm,
+                        const std::filesystem::path& path) {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& point : points)
+    all.push_back({{"name", point.name},
+                   {"mri_mm", rowMajor(point.in_mri)},
+                   {"subject_mm", rowMajor(Point<Head>(point.in_subject_mm))}});
+  const nlohmann::ordered_json json{{"points", all}, {"error_mm", error_mm}};
+  WholeFile file(path);
+  std::ofstream(file.temporaryPath()) << json.dump(1) << "\n";
+  readTrackerAlignment(file.temporaryPath());
+  file.commit();
 }
 
 void requireOnSkin(const TrackerAlignment& alignment, const surface::ScalpSurface& scalp) {

@@ -115,15 +115,9 @@ TreatmentRequest treatmentOf(const Registrations& methods, const TreatRecordingR
 
 TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingRequest& request,
                            const capture::Recording& recording) {
+  if (request.other_tracker) return devicesOf(*request.other_tracker);
   return {
       [&methods, request](const session::NavigatorSetup& setup) {
-        if (const auto& other = request.other_tracker) {
-          auto served = makeServedTrackers(other->words, other->head, other->second_coil);
-          auto navigator =
-              std::make_unique<session::Navigator>(setup, std::move(served.head), std::move(served.coil));
-          if (setup.second_coil) navigator->addSecondCoil(*setup.second_coil, std::move(served.second_coil));
-          return navigator;
-        }
         auto coil = request.makeCoilTracker ? request.makeCoilTracker()
                                             : methods.coil_trackers.create(request.coil_tracker);
         auto navigator = std::make_unique<session::Navigator>(
@@ -132,9 +126,7 @@ TreatmentDevices devicesOf(const Registrations& methods, const TreatRecordingReq
           navigator->addSecondCoil(*setup.second_coil, methods.coil_trackers.create(request.coil_tracker));
         return navigator;
       },
-      [recording, passes = request.passes, live = request.live,
-       is_without = request.other_tracker.has_value()] {
-        if (is_without) return makeFramesWithoutPictures();
+      [recording, passes = request.passes, live = request.live] {
         if (live) return live->open();
         return passes == 1 ? capture::makeSource(recording) : capture::makeSwingingSource(recording, passes);
       }};
@@ -193,6 +185,18 @@ std::string secondInWords(const session::SecondCoil& second) {
 }
 
 }  // namespace
+
+TreatmentDevices devicesOf(const OtherTracker& tracker) {
+  return {[tracker](const session::NavigatorSetup& setup) {
+            auto served = makeServedTrackers(tracker.words, tracker.head, tracker.second_coil);
+            auto navigator =
+                std::make_unique<session::Navigator>(setup, std::move(served.head), std::move(served.coil));
+            if (setup.second_coil)
+              navigator->addSecondCoil(*setup.second_coil, std::move(served.second_coil));
+            return navigator;
+          },
+          makeFramesWithoutPictures};
+}
 
 std::string inWords(const Treatment& treatment, const session::NavigationState& state) {
   const auto& guided = state.guidance;

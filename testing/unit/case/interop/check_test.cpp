@@ -124,6 +124,35 @@ TEST(Check, NoticesLpsUnderTheNameOfRas) {
   EXPECT_THAT(wrong.items[0].refusal, HasSubstr("as RAS its poses lie"));
 }
 
+TEST(Check, RefusesLengthsInMetresOrCentimetres) {
+  const auto head = headBehindTheOrigin();
+  const Eigen::Vector3d on_skin = head.centre_mm + Eigen::Vector3d(0, -60, 67);
+  for (const auto& [unit_mm, name] :
+       {std::pair{1000.0, "if its lengths are metres"}, std::pair{10.0, "if its lengths are centimetres"}}) {
+    auto file = fileWith(targetAt(on_skin / unit_mm));
+    check(file, head, {});
+    EXPECT_THAT(file.items[0].refusal, HasSubstr(name));
+    EXPECT_FALSE(file.items[0].mri_T_coil);
+  }
+}
+
+TEST(Check, NotesACoilThatStandsOnEdge) {
+  const auto head = headBehindTheOrigin();
+  const Eigen::Vector3d into_head = soundMatrix().block<3, 1>(0, 2);
+  auto file = fileWith(targetAt(head.centre_mm - 92 * into_head));
+  const Eigen::Matrix4d sound = *file.items[0].pose;
+  Eigen::Matrix4d exchanged = sound;  // z, x, y in place of x, y, z
+  for (int axis = 0; axis < 3; ++axis) exchanged.col(axis) = sound.col((axis + 2) % 3);
+  check(file, head, {});
+  const bool is_noted = !file.items[0].notes.empty();
+  file = fileWith(targetAt({0, 0, 0}));
+  file.items[0].pose = exchanged;
+  check(file, head, {});
+  ASSERT_FALSE(file.items[0].notes.empty());
+  EXPECT_THAT(file.items[0].notes.back(), HasSubstr("stands on edge"));
+  EXPECT_FALSE(is_noted);
+}
+
 TEST(Check, TurnsTheHandleWhenAsked) {
   auto file = fileWith(targetAt({-50, -20, 90}));
   Answers answers;

@@ -210,5 +210,36 @@ TEST(Formats, KindsThatAreKnownAndNotReadAreNamed) {
   EXPECT_THAT(refusal("# Version: 1\n# Something\n"), HasSubstr("stream of poses"));
 }
 
+TEST(SimnibsPositions, ATableSavedByASpreadsheetGivesTheSamePoses) {
+  const std::string commas = readWholeFile(made("simnibs_positions.csv"));
+  for (const char* separator : {";", "\t"}) {
+    const std::string saved = changed(changed(commas, ",", separator), ".", ",");
+    EXPECT_TRUE(isKnown(saved));
+    const auto file = readCheckedText(saved, madeHead());
+    EXPECT_EQ(apart(file, truth()).compared, 4);
+    EXPECT_LT(apart(file, truth()).mm, 1e-5);
+    EXPECT_THAT(file.notes.front(), HasSubstr("as a spreadsheet does it"));
+  }
+}
+
+TEST(SimnibsPositions, AMissingDistanceLeavesTheName) {
+  const auto file =
+      readCheckedText("CoilPos,0,0,100,0,0,-1,0,1,0,M1\nCoilPos,0,0,100,0,0,-1,0,1,0,4\n", madeHead());
+  EXPECT_EQ(file.items[0].name, "M1");
+  EXPECT_NE(file.items[1].name, "4") << "a distance without a name";
+}
+
+TEST(OwnTable, AQuaternionThatIsNoUnitIsNamed) {
+  const auto file =
+      readCheckedText("kind,name,tx,ty,tz,qw,qx,qy,qz\ntarget,M1,0,0,100,0,2,0,0\n", madeHead());
+  EXPECT_EQ(file.items[0].refusal, "its quaternion has the length 2 instead of 1");
+}
+
+TEST(AnyText, Utf16WithoutItsMarkIsNamed) {
+  std::string wide;
+  for (const char c : brainsight()) wide += std::string(1, c) + '\0';
+  EXPECT_THAT(refusalOf([&] { readOtherText({wide, "file", nullptr}); }), HasSubstr("UTF-16"));
+}
+
 }  // namespace
 }  // namespace facenav::interop

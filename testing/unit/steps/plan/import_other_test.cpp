@@ -117,6 +117,9 @@ TEST_F(ImportsOfSeveral, ADroppedPathIsOfAnotherProgramAScanOrNeither) {
   }
   EXPECT_TRUE(filesAt(slice).may_be_scan);
   EXPECT_TRUE(filesAt(store_.folder() / "mri.nii.gz").may_be_scan);
+  const auto mesh = write("sim.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+  EXPECT_THAT(filesAt(mesh).fields, ElementsAre(mesh));
+  EXPECT_TRUE(filesAt(slice).fields.empty());
   EXPECT_TRUE(filesAt(folder_.path()).may_be_scan) << "DICOM beside it";
   const auto session = folder_.path() / "session" / "InstrumentMarkers";
   fs::create_directories(session);
@@ -125,6 +128,20 @@ TEST_F(ImportsOfSeveral, ADroppedPathIsOfAnotherProgramAScanOrNeither) {
   testing::writtenFile(session / "readme.txt", "words");
   EXPECT_THAT(filesAt(folder_.path() / "session").others, ElementsAre(markers));
   EXPECT_FALSE(filesAt(folder_.path() / "session").may_be_scan);
+}
+
+TEST_F(ImportsOfSeveral, ASetThatIsRefusedSaysItsReasonOnce) {
+  std::string far;
+  for (const char* name : {"a", "b", "c"}) far += testing::coilPosition(name, {0, 0, 1}, 900);
+  const auto file = write(
+      "far.csv", far + testing::coilPosition("d", {0, 1, 0}, 700) + testing::coilPosition("M1", {-1, 0, 1}));
+  const auto preview = previewImport(store_, order(file));
+  const auto refused = preview.refusals();
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_THAT(refused[0].items, ElementsAre(0, 1, 2));
+  EXPECT_THAT(refused[0].reason, HasSubstr("900 mm"));
+  EXPECT_THAT(preview.refusal(), HasSubstr("3 items, the first target 'a'"));
+  EXPECT_THAT(preview.refusal(), ::testing::EndsWith("; and 1 more"));
 }
 
 }  // namespace

@@ -134,6 +134,36 @@ TEST_F(LiveOrdersTest, ATargetThatCannotBeRightIsRefusedInWords) {
   EXPECT_TRUE(store_.targets().targets.empty());
 }
 
+TEST_F(LiveOrdersTest, WithoutASessionCommandsAreToldAndTargetsAreOffered) {
+  const OrderReceiver nobody{[](const auto&) { return std::string("no session runs"); }};
+  command("stop");
+  target("Target_M1", onTop(4));
+  const auto news = orders_.obey(nobody, &store_);
+  ASSERT_EQ(news.size(), 2u);
+  EXPECT_THAT(news[0].words, HasSubstr("command stop from 127.0.0.1:50112: no session runs"));
+  EXPECT_EQ(news[1].offered, "Target_M1");
+  EXPECT_TRUE(obey().empty()) << "a session that starts later obeys no old command";
+  EXPECT_FALSE(treatment_->isPaused());
+  guidance::TreatmentPlan written;
+  orders_.take("Target_M1", store_, "AB", [&](const guidance::TreatmentPlan& plan) { written = plan; });
+  ASSERT_EQ(written.targets.size(), 1u);
+  EXPECT_TRUE(store_.targets().targets.empty()) << "the writer stores the plan";
+  EXPECT_TRUE(orders_.offers().empty());
+  orders_.forget();
+  target("Target_M1", onTop(4));
+  EXPECT_THAT(orders_.obey(nobody, nullptr).front().words, HasSubstr("there is no case"));
+}
+
+TEST_F(LiveOrdersTest, ARefusedTargetReturnsOnlyWithAnotherPose) {
+  target("Target_M1", onTop(4));
+  obey();
+  orders_.refuse("Target_M1");
+  EXPECT_THROW(orders_.take("Target_M1", store_, ""), Error);
+  target("Target_M1", onTop(4));
+  EXPECT_TRUE(obey().empty());
+  EXPECT_TRUE(orders_.offers().empty());
+}
+
 TEST_F(LiveOrdersTest, ATargetThatIsMovedIsJudgedOnceASecond) {
   int judged = 0;
   for (int i = 0; i < 30; ++i) {

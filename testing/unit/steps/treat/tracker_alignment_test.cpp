@@ -25,6 +25,14 @@ const std::vector<std::pair<std::string, Eigen::Vector3d>> kPlaces{{"nasion", {0
                                                                    {"right tragus", {90, 0, 0}},
                                                                    {"vertex", {0, 0, 90}}};
 
+std::vector<TouchedPoint> touchedPoints(std::size_t count) {
+  std::vector<TouchedPoint> points;
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back({kPlaces[i].first, Point<Mri>(kPlaces[i].second),
+                      (truth().inverse() * Point<Mri>(kPlaces[i].second)).mm});
+  return points;
+}
+
 class TrackerAlignmentFile : public ::testing::Test {
  protected:
   TrackerAlignment read(const std::string& json) const {
@@ -114,6 +122,19 @@ TEST_F(TrackerAlignmentFile, PointsOfAnotherHeadAreRefused) {
   EXPECT_NO_THROW(requireOnSkin(alignment, ball.scalp));
   alignment.points.front().in_mri = Point<Mri>(0, 140, 0);
   EXPECT_THROW(requireOnSkin(alignment, ball.scalp), Error);
+}
+
+TEST_F(TrackerAlignmentFile, TouchedPointsAreWrittenAndReadBack) {
+  writeTouchedPoints(touchedPoints(4), 2, file_);
+  const auto alignment = readTrackerAlignment(file_);
+  EXPECT_LT((alignment.mri_T_subject.matrix() - truth().matrix()).norm(), 1e-6);
+  EXPECT_EQ(std::filesystem::status(file_).permissions() & std::filesystem::perms::group_read,
+            std::filesystem::perms::none);
+  auto exchanged = touchedPoints(4);
+  std::swap(exchanged[0].in_subject_mm, exchanged[3].in_subject_mm);
+  EXPECT_THROW(writeTouchedPoints(exchanged, 2, file_), Error);
+  EXPECT_THROW(writeTouchedPoints(touchedPoints(2), 2, file_), Error);
+  EXPECT_EQ(readTrackerAlignment(file_).points.size(), 4u) << "the file before stays";
 }
 
 }  // namespace

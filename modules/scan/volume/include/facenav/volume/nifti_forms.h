@@ -18,6 +18,7 @@ struct NiftiForms {
   std::array<double, 3> quatern{}, offset{};    // of the qform
   std::array<double, 4> pixdim{};               // pixdim[0]: qfac, 1 or -1
   int values = 1;                               // of a voxel: product of all dimensions after the third
+  bool holds_fractions = false;                 // values of floating point
   bool is_template_space = false;               // the map of `used` leads to a template, by its code
 };
 

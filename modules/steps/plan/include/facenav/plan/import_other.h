@@ -37,12 +37,21 @@ struct PreviewedItem {
   std::string reason;  // why it is refused or only listed
 };
 
+/// Items of a file that are refused for the same reason.
+struct RefusedItems {
+  std::string reason;
+  std::vector<std::size_t> items;  // places in ImportPreview::items
+};
+
 struct ImportPreview {
   interop::OtherFile file;  // its items stand in `items`
   std::vector<PreviewedItem> items;
   int count(ItemFate fate) const;
   int pulses() const;  // that would be kept
-  /// One line that names the first refused item, why, and how many more; empty if none is refused.
+  /// The refused items by their reasons, in the file's order.
+  std::vector<RefusedItems> refusals() const;
+  /// One line that names the first refused item, why, how many are refused for that reason, and how many
+  /// more; empty if none is refused.
   std::string refusal() const;
 };
 

@@ -36,6 +36,8 @@ struct ImportedField {
 
 /// True if the file may hold a field, by its content.
 bool isFieldFile(const std::filesystem::path& file);
+/// True if the file holds values alone, whose surface is another file.
+bool needsSurface(const std::filesystem::path& file);
 
 /// Reads and judges a field, and writes nothing. Throws Error: no such target, no MRI, no field, a mesh whose
 /// scalp is not the case's skin, another T1, nothing near the target, or a coil that stood elsewhere.

@@ -1,6 +1,6 @@
 #pragma once
-// PLAN: tells files of other programs from scans, among what a user drops on the window. A file is known by
-// its content.
+// PLAN: tells files of other programs and electric fields from scans, among what a user drops on the window.
+// A file is known by its content.
 
 #include <filesystem>
 #include <vector>
@@ -9,6 +9,7 @@ namespace facenav::steps {
 
 struct DroppedFiles {
   std::vector<std::filesystem::path> others;  // files of other programs, by name
+  std::vector<std::filesystem::path> fields;  // an electric field: mesh, overlay, NIfTI
   bool may_be_scan = false;                   // DICOM or NIfTI; then `others` is empty
 };
 

@@ -1,9 +1,11 @@
 #pragma once
-// LiveOrders: what clients of the OpenIGTLink server ask of a running session (links/live_order.h), from the
-// server's thread to the session's loop. "stop" begins a pause, "start" ends one, "pulse" reports a pulse.
-// Targets are judged like those of a file (plan/import_other.h) and offered: no order chooses a target.
+// LiveOrders: what clients of the OpenIGTLink server ask (links/live_order.h), from the server's thread to
+// the loop of a session, of a window, or of a server alone. "stop" begins a pause, "start" ends one, "pulse"
+// reports a pulse. Targets are judged like those of a file (plan/import_other.h) and offered: a person takes
+// or refuses them, and no order chooses a target.
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -33,6 +35,17 @@ struct OrderNews {
   std::string offered;  // name of a target that can be taken; empty: none
 };
 
+/// What stands behind the server: a session, or none.
+struct OrderReceiver {
+  /// Obeys a command. Returns what became of it: "the session is paused".
+  std::function<std::string(const links::LiveOrder&)> obey;
+  /// Notes an event in a log; null: there is none.
+  std::function<void(const std::string& event, const std::string& words)> note = nullptr;
+};
+
+/// The pulse that a client reports.
+links::PulseTrigger pulseOf(const links::LiveOrder& order);
+
 class LiveOrders {
  public:
   /// Says to the server what it may take; it hands orders to this object, which must outlive the server.
@@ -40,10 +53,16 @@ class LiveOrders {
   /// Obeys the commands that came since the last call, and judges new targets. A target that is sent again
   /// and again is judged at most once a second.
   std::vector<OrderNews> obey(Treatment& treatment, const casefile::CaseStore& store);
+  /// As above, for any receiver. `store`: null if there is no case; targets are then refused.
+  std::vector<OrderNews> obey(const OrderReceiver& receiver, const casefile::CaseStore* store);
   /// Forgets offers and case: another case was opened.
   void forget();
-  /// Adds an offered target to the case's plan. Throws Error: no such offer, or one that cannot be taken.
-  void take(const std::string& name, const casefile::CaseStore& store, const std::string& by);
+  /// Adds an offered target to the case's plan, stored by `write`; null: in the case. Throws Error: no such
+  /// offer, or one that cannot be taken now.
+  void take(const std::string& name, const casefile::CaseStore& store, const std::string& by,
+            const WritePlan& write = nullptr);
+  /// Forgets an offer. It returns only if the client sends another pose.
+  void refuse(const std::string& name) { offers_.erase(name); }
   const std::map<std::string, OfferedTarget>& offers() const { return offers_; }
 
  private:
@@ -54,14 +73,16 @@ class LiveOrders {
   };
   void note(const links::LiveOrder& order);
   const interop::CaseHead& headOf(const casefile::CaseStore& store);
-  OrderNews judge(const links::LiveOrder& order, Treatment& treatment, const casefile::CaseStore& store);
+  OrderNews judge(const links::LiveOrder& order, const OrderReceiver& receiver,
+                  const casefile::CaseStore* store);
+  void collect(const links::LiveOrder& order);
 
   std::mutex mutex_;
   std::deque<links::LiveOrder> orders_;  // guarded by the mutex
   // The next members belong to the session's loop.
   std::map<std::string, Sent> sent_;  // targets, by their names
   std::map<std::string, OfferedTarget> offers_;
-  std::optional<interop::CaseHead> head_;  // of the session's case, made for the first target
+  std::optional<interop::CaseHead> head_;  // of the case, made for the first target
 };
 
 }  // namespace facenav::steps

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "facenav/capture/frame_source.h"
+#include "facenav/treat/live_orders.h"
 #include "facenav/treat/live_outputs.h"
 #include "facenav/treat/track_recording.h"
 
@@ -19,6 +20,11 @@ struct ServeRequest {
   double speed = 1.0;  // of a recording, relative to real time
   int passes = 1;      // through the recording, alternately forwards and backwards; 0: without end
   std::shared_ptr<LiveOutputs> outputs;
+  /// What clients may ask; null: nothing. "stop" sends every pose as lost until "start"; a pulse goes on to
+  /// the outputs; targets are judged by the case.
+  LiveOrders* orders = nullptr;
+  /// Called with what clients sent; may be null.
+  std::function<void(const OrderNews&)> tell = nullptr;
 };
 
 struct ServeOutcome {

@@ -33,6 +33,11 @@ struct TrackerAlignment {
 /// line, or points that do not fit each other within their error.
 TrackerAlignment readTrackerAlignment(const std::filesystem::path& path);
 
+/// Writes touched points as such a file, for the user alone. Throws Error if they do not make an alignment,
+/// and writes nothing then.
+void writeTouchedPoints(const std::vector<TouchedPoint>& points, double error_mm,
+                        const std::filesystem::path& path);
+
 /// Throws Error if a touched point lies off the case's skin: another head, or another space, is meant.
 void requireOnSkin(const TrackerAlignment& alignment, const surface::ScalpSurface& scalp);
 

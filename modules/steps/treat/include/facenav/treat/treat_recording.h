@@ -31,6 +31,9 @@ struct OtherTracker {
   double seconds = 0;               // 0: without end
 };
 
+/// Trackers and frames of a session without cameras.
+TreatmentDevices devicesOf(const OtherTracker& tracker);
+
 struct TreatRecordingRequest {
   std::filesystem::path recording, case_folder;
   std::optional<std::filesystem::path> coil_file;   // nothing: as in openTreatmentFilm
