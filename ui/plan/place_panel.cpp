@@ -35,9 +35,11 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
     leaveRoom();
   });
   frame_ = new QComboBox(this);
+  frame_->setAccessibleName(tr("what the typed numbers are"));
   frame_->addItems({tr("MNI"), tr("RAS")});
   frame_->setToolTip(tr("what the typed numbers are"));
   typed_ = new QLineEdit(this);
+  typed_->setAccessibleName(tr("coordinates x y z, mm"));
   typed_->setPlaceholderText(tr("x y z, mm"));
   typed_->setToolTip(
       tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "

@@ -139,6 +139,7 @@ void TreatWorkspace::makeStepButtons(QWidget* bar) {
 
 void TreatWorkspace::makeChoices(QWidget* bar) {
   target_ = new QComboBox(bar);
+  target_->setAccessibleName(tr("target"));
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(9);
   coil_ = new QComboBox(bar);
