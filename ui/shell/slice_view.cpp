@@ -39,6 +39,7 @@ SliceView::SliceView(volume::Anatomical orientation, QWidget* parent)
          "window/level   double "
          "click: choose   R: zoom, pan and window as at first   right click: menu"));
   reset_->setText(tr("1:1"));
+  reset_->setObjectName("on_picture");
   reset_->setToolTip(tr("zoom, pan and window as at first, in all slices (R)"));
   connect(reset_, &QToolButton::clicked, this, &SliceView::resetWanted);
 }
