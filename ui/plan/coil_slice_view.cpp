@@ -30,7 +30,7 @@ QString longestFitting(const QString& words, const QFontMetrics& metrics, int ro
 }  // namespace
 
 CoilSliceView::CoilSliceView(scene::CoilCut cut, QWidget* parent) : QWidget(parent), cut_(cut) {
-  setMinimumSize(150, 120);
+  setMinimumSize(150, 110);
   setFocusPolicy(Qt::StrongFocus);  // the arrow keys of Plan, and the menu key
   setAccessibleName(cut == scene::CoilCut::along_handle ? tr("slice along the handle")
                                                         : tr("slice across the handle"));

@@ -16,7 +16,8 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLines = 4;  // RAS, MNI, the region, its Brodmann area
+constexpr int kLines = 4;     // RAS, MNI, the region, its Brodmann area
+constexpr int kLine_px = 18;  // of its letters
 
 }  // namespace
 
@@ -31,7 +32,7 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
   makeNarrow(*words_);
   whenTextScales(this, [this] {
-    words_->setMinimumHeight(sized(kTextLine_px * kLines));  // the fields stay in place
+    words_->setMinimumHeight(sized(kLine_px * kLines));  // the fields stay in place
     leaveRoom();
   });
   frame_ = new QComboBox(this);

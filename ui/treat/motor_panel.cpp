@@ -12,6 +12,7 @@
 
 #include "shell/appearance.h"
 #include "shell/typed_number.h"
+#include "shell/whole_choice.h"
 
 namespace facenav::ui {
 namespace {
@@ -91,7 +92,7 @@ QWidget* MotorPanel::makeAnswers() {
 
 QWidget* MotorPanel::makeSearch() {
   auto* bar = new QWidget(this);
-  method_ = new QComboBox(bar);
+  method_ = new WholeChoice(bar);
   method_->setAccessibleName(tr("method of the threshold"));
   method_->addItem(tr("Bayes, 20 pulses"), QVariant(int(stimulation::ThresholdMethod::bayes)));
   method_->addItem(tr("5 of 10"), QVariant(int(stimulation::ThresholdMethod::five_of_ten)));
