@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kFluid_ms = 40.0;  // no simplified scene is needed up to this rendering time
 constexpr int kRest_ms = 300;
+const char* const kIsOutdated = "is_outdated";  // property of a hidden view whose image is to be drawn again
 
 }  // namespace
 
@@ -35,7 +36,8 @@ SceneView::SceneView(QWidget* parent)
   });
   whenThemeChanges(this, [this] {
     scene_->setBackground(themeRgb(Colour::scene_low), themeRgb(Colour::scene_high));
-    if (isVisible()) refresh();
+    if (isVisible()) return refresh();
+    setProperty(kIsOutdated, whole_ms_ > 0);  // its image has the other theme's background
   });
   scene_->attach(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
@@ -154,6 +156,10 @@ bool SceneView::event(QEvent* event) {
     if (static_cast<QContextMenuEvent*>(event)->reason() != QContextMenuEvent::Mouse)
       openViewMenu(*this, rect().center(), offersAt(rect().center()));
     return true;
+  }
+  if (event->type() == QEvent::Show && property(kIsOutdated).toBool()) {
+    setProperty(kIsOutdated, false);
+    QTimer::singleShot(0, this, &SceneView::refresh);
   }
   return is_key ? QWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }
