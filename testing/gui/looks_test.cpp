@@ -157,10 +157,10 @@ TEST_F(Looks, EveryControlHasANameForScreenReaders) {
   EXPECT_GE(expectNames(HelpWindow::of(*window_)), 4);
 }
 
-/// True for a button that the arrow keys reach from the chosen one of its group.
+/// True for a button that the arrow keys reach from another one of its group.
 bool isReachedByArrows(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-  return button && button->group() && button->group()->exclusive() && !button->isChecked();
+  return button && button->group() && !(button->group()->exclusive() && button->isChecked());
 }
 
 /// Visible controls that Tab should reach now.
