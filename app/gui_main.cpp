@@ -27,6 +27,7 @@
 #include "shell/main_window.h"
 #include "shell/report_pdf.h"
 #include "shell/screenshot.h"
+#include "shell/theme.h"
 #include "shell/work_area.h"
 #include "software_commit.h"
 #include "wrong_usage.h"
@@ -38,7 +39,7 @@ using namespace facenav;
 struct Arguments {
   app::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  std::string report_pdf, session, home, rig, opened;
+  std::string report_pdf, session, home, rig, opened, theme;
   bool then_guides = false, has_name = false, has_no_pictures = false, is_set_up = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
@@ -146,6 +147,9 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication::setApplicationVersion(QString::fromStdString(app::versionInWords()));
   keepFilesPrivate();
   if (arguments.text_scale > 0) ui::rememberTextScale(arguments.text_scale);
+  if (!arguments.theme.empty())
+    ui::rememberTheme(ui::themeChoiceNamed(QString::fromStdString(arguments.theme)));
+  ui::useTheme(ui::rememberedTheme());
   ui::applyAppearance(application, ui::rememberedTextScale());
   // Starts the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});
@@ -216,6 +220,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.1, 600.0));
   cli.add_option("--text-scale", arguments.text_scale, "all text larger or smaller, 2: twice; remembered")
       ->check(CLI::Range(ui::kLeastTextScale, ui::kMostTextScale));
+  cli.add_option("--theme", arguments.theme, "dark, light, or system: as the desktop's colours; remembered")
+      ->check(CLI::IsMember({"dark", "light", "system"}));
   cli.add_option("--report-pdf", arguments.report_pdf,
                  "write the report of a session of --case as PDF and quit, without a window");
   cli.add_option("--session", arguments.session, "for --report-pdf: its name; default: the newest");

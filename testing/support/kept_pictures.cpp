@@ -13,6 +13,7 @@ namespace facenav::testing {
 namespace {
 
 constexpr int kWidth_px = 342, kHeight_px = 192, kBlock_px = 8;
+constexpr int kColouredWidth_px = 228, kColouredHeight_px = 128;
 constexpr double kLeastNoise =
     2.5;                          // grey levels: focus and mouse of other programs changed blocks by up to 12
 constexpr double kTolerance = 6;  // times the noise
@@ -24,32 +25,52 @@ bool changes(const QWidget& part, const QStringList& hidden) {
          ui::holdsUsersWords(part) || part.accessibleName().contains(kMoment);
 }
 
-}  // namespace
-
-QImage smallPicture(QWidget& window, const QStringList& hidden) {
+QImage shrunkPicture(QWidget& window, const QStringList& hidden, const QSize& size) {
   QImage picture = window.grab().toImage();
   QPainter painter(&picture);
   for (const auto* part : window.findChildren<QWidget*>())
     if (part->isVisible() && changes(*part, hidden))
       painter.fillRect(QRect(part->mapTo(&window, QPoint()), part->size()), Qt::gray);
   painter.end();
-  return picture.scaled(kWidth_px, kHeight_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-      .convertToFormat(QImage::Format_Grayscale8);
+  return picture.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-double difference(const QImage& a, const QImage& b) {
-  if (a.isNull() || a.size() != b.size()) return 255;
-  const QImage grey_a = a.convertToFormat(QImage::Format_Grayscale8);
-  const QImage grey_b = b.convertToFormat(QImage::Format_Grayscale8);
+/// Largest mean difference of a block, over every `channels` bytes from the first one.
+double largestDifference(const QImage& a, const QImage& b, int channels, int first) {
   double largest = 0;
   for (int top = 0; top + kBlock_px <= a.height(); top += kBlock_px)
     for (int left = 0; left + kBlock_px <= a.width(); left += kBlock_px) {
       int sum = 0;
       for (int y = top; y < top + kBlock_px; ++y)
-        for (int x = left; x < left + kBlock_px; ++x)
-          sum += std::abs(int(grey_a.constScanLine(y)[x]) - int(grey_b.constScanLine(y)[x]));
+        for (int x = left; x < left + kBlock_px; ++x) {
+          const int at = channels * x + first;
+          sum += std::abs(int(a.constScanLine(y)[at]) - int(b.constScanLine(y)[at]));
+        }
       largest = std::max(largest, double(sum) / (kBlock_px * kBlock_px));
     }
+  return largest;
+}
+
+}  // namespace
+
+QImage smallPicture(QWidget& window, const QStringList& hidden) {
+  return shrunkPicture(window, hidden, {kWidth_px, kHeight_px}).convertToFormat(QImage::Format_Grayscale8);
+}
+
+QImage smallColouredPicture(QWidget& window, const QStringList& hidden) {
+  return shrunkPicture(window, hidden, {kColouredWidth_px, kColouredHeight_px})
+      .convertToFormat(QImage::Format_RGB888);
+}
+
+double difference(const QImage& a, const QImage& b) {
+  if (a.isNull() || a.size() != b.size()) return 255;
+  const bool is_grey = a.isGrayscale() && b.isGrayscale();
+  const auto format = is_grey ? QImage::Format_Grayscale8 : QImage::Format_RGB888;
+  const QImage alike_a = a.convertToFormat(format), alike_b = b.convertToFormat(format);
+  const int channels = is_grey ? 1 : 3;
+  double largest = 0;
+  for (int first = 0; first < channels; ++first)
+    largest = std::max(largest, largestDifference(alike_a, alike_b, channels, first));
   return largest;
 }
 

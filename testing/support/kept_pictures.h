@@ -1,6 +1,7 @@
 #pragma once
-// Kept pictures of windows to compare with: small, grey, lossless, each with the noise between two runs of
-// the build that made it. What changes from day to day (times, random numbers) is painted over first.
+// Kept pictures of windows to compare with: small, grey or in colours, lossless, each with the noise between
+// two runs of the build that made it. What changes from day to day (times, random numbers) is painted over
+// first.
 
 #include <QImage>
 #include <QString>
@@ -15,7 +16,11 @@ namespace facenav::testing {
 /// that are painted over. So are parts with words of a person, and those named by a moment in UTC.
 QImage smallPicture(QWidget& window, const QStringList& hidden);
 
-/// Largest mean difference of a block of 8 x 8 pixels, in grey levels; 255 if the sizes differ.
+/// Picture in colours, a sixth of 1366 x 768, for what grey does not show: a theme's colours.
+QImage smallColouredPicture(QWidget& window, const QStringList& hidden);
+
+/// Largest mean difference of a block of 8 x 8 pixels, in grey levels, or in those of the colour that differs
+/// most if one picture has colours; 255 if the sizes differ.
 double difference(const QImage& a, const QImage& b);
 
 class KeptPictures {

@@ -31,6 +31,14 @@ TEST(KeptPictures, TheDifferenceIsThatOfTheBlockThatDiffersMost) {
   EXPECT_EQ(difference(grey(100), QImage(10, 10, QImage::Format_Grayscale8)), 255);
 }
 
+TEST(KeptPictures, AnotherColourOfTheSameBrightnessDiffers) {
+  QImage blue(228, 128, QImage::Format_RGB888), orange = blue;
+  blue.fill(QColor(84, 178, 255));
+  orange.fill(QColor(255, 160, 51));
+  EXPECT_EQ(difference(blue, blue), 0);
+  EXPECT_EQ(difference(blue, orange), 204) << "blue differs most";
+}
+
 TEST(KeptPictures, TheToleranceIsSixTimesTheNoiseBetweenTwoRuns) {
   const TemporaryFolder folder;
   const KeptPictures renew(folder.path(), Use::renew), noise(folder.path(), Use::measure_noise),

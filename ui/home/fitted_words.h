@@ -24,7 +24,7 @@ class FittedWords : public QWidget {
  private:
   double largest_pt_;
   QString words_;
-  QColor colour_{Qt::white};
+  QColor colour_;
 };
 
 }  // namespace facenav::ui

@@ -18,6 +18,7 @@
 #include "shell/appearance.h"
 #include "shell/help_window.h"
 #include "shell/image_view.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
@@ -43,9 +44,6 @@ QStringList placesToSave() {
     if (isStick(volume)) places << volume.rootPath();
   return places;
 }
-
-const QColor kPlain(237, 241, 245), kQuietWords(130, 142, 155), kNow(255, 196, 60), kDone(82, 200, 120),
-    kRefused(255, 140, 130);
 
 }  // namespace
 
@@ -126,9 +124,9 @@ void HomeWindow::showSteps(int active, bool is_done) {
     steps_[i]->set(has_passed    ? names[i] + QString("  \u2713")
                    : i == active ? QString("\u25b6 ") + names[i]
                                  : names[i],
-                   has_passed    ? kDone
-                   : i == active ? kNow
-                                 : kQuietWords);
+                   themeColour(has_passed    ? Colour::good
+                               : i == active ? Colour::now
+                                             : Colour::muted));
   }
 }
 
@@ -169,14 +167,14 @@ void HomeWindow::refresh() {
     showSteps(int(advice.step), false);
     sign_->set(is_asked ? steps::HomeSign::none : advice.sign, advice.arrow_rad, advice.is_refused);
     words_->set(is_asked ? presenter_.words() : QString::fromStdString(advice.words),
-                advice.is_refused && !is_asked ? kRefused : kPlain);
+                themeColour(advice.is_refused && !is_asked ? Colour::stop_words : Colour::text));
   } else {
     const bool is_refused = !presenter_.refusal().isEmpty();
     // A tick is for pulses on target, not for having pressed the button.
     const bool is_done = is_ended && presenter_.pulseCounts().on_target > 0;
     showSteps(is_ended ? 3 : 0, is_done);
     sign_->set(is_done && !is_refused ? steps::HomeSign::hold : steps::HomeSign::none, 0, is_refused);
-    words_->set(presenter_.words(), is_refused ? kRefused : kPlain);
+    words_->set(presenter_.words(), themeColour(is_refused ? Colour::stop_words : Colour::text));
   }
   showPicture();
   picture_->setVisible(!is_ended);
@@ -189,10 +187,10 @@ void HomeWindow::refresh() {
     if (counts.outside + counts.lost > 0) said += tr(", %1 not on target").arg(counts.outside + counts.lost);
   }
   if (stage == Stage::ended && !presenter_.savedAs().isEmpty()) said += "\n" + savedWords();
-  counts_->set(said, kQuietWords);
+  counts_->set(said, themeColour(Colour::muted));
   const QString action = presenter_.actionWords();
   button_->setVisible(!action.isEmpty());
-  button_words_->set(action, Qt::white);
+  button_words_->set(action, themeColour(Colour::on_accent));
   button_->setAccessibleName(action);
 }
 

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "shell/appearance.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
 
 using steps::HomeSign;
-
-const QColor kQuiet(70, 80, 92), kArrow(255, 196, 60), kGood(82, 200, 120), kStop(240, 96, 90);
 
 /// Arrow that points up, in a square of -50 .. 50.
 QPolygonF arrowShape() {
@@ -22,10 +21,10 @@ void drawTurn(QPainter& painter, bool is_clockwise) {
   painter.save();
   if (!is_clockwise) painter.scale(-1, 1);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kArrow, 12, Qt::SolidLine, Qt::FlatCap));
+  painter.setPen(QPen(themeColour(Colour::now), 12, Qt::SolidLine, Qt::FlatCap));
   painter.drawArc(QRectF(-36, -36, 72, 72), 200 * 16, -250 * 16);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kArrow);
+  painter.setBrush(themeColour(Colour::now));
   painter.rotate(-50 + 90 + 90);
   painter.translate(0, -36);
   painter.drawPolygon(QPolygonF({{-2, -18}, {26, 0}, {-2, 18}}));
@@ -37,7 +36,7 @@ void drawTick(QPainter& painter) {
   tick.lineTo(-10, 28);
   tick.lineTo(36, -28);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kGood, 14, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(themeColour(Colour::good), 14, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(tick);
 }
 
@@ -48,19 +47,19 @@ void drawStop(QPainter& painter) {
     octagon << QPointF(44 * std::cos(angle), 44 * std::sin(angle));
   }
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kStop);
+  painter.setBrush(themeColour(Colour::stop));
   painter.drawPolygon(octagon);
-  painter.setBrush(Qt::white);
+  painter.setBrush(themeColour(Colour::on_accent));
   painter.drawRect(QRectF(-26, -6, 52, 12));
 }
 
 /// Draws the motion towards or away from the head in side view; the line below is the head.
 void drawLift(QPainter& painter, bool is_up) {
-  painter.setPen(QPen(kQuiet, 8, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(themeColour(Colour::sign_quiet), 8, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(-40, 44), QPointF(40, 44));
   painter.save();
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kArrow);
+  painter.setBrush(themeColour(Colour::now));
   painter.translate(0, -6);
   painter.scale(0.85, is_up ? 0.85 : -0.85);
   painter.drawPolygon(arrowShape());
@@ -71,11 +70,11 @@ void drawLift(QPainter& painter, bool is_up) {
 void drawRaised(QPainter& painter, const QPointF& at) {
   painter.save();
   painter.translate(at);
-  painter.setPen(QPen(QColor(11, 13, 16), 2));
-  painter.setBrush(kArrow);
+  painter.setPen(QPen(themeColour(Colour::on_state), 2));
+  painter.setBrush(themeColour(Colour::now));
   painter.drawEllipse(QPointF(0, 0), 19, 19);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(11, 13, 16));
+  painter.setBrush(themeColour(Colour::on_state));
   painter.scale(0.3, 0.3);
   painter.drawPolygon(arrowShape());
   painter.restore();
@@ -98,7 +97,7 @@ void SignView::set(HomeSign sign, double arrow_rad, bool is_refused) {
 
 /// Draws the coil faintly, two wings and the handle below, for signs that refer to its sides.
 void SignView::drawCoil(QPainter& painter) const {
-  painter.setPen(QPen(kQuiet, 5));
+  painter.setPen(QPen(themeColour(Colour::sign_quiet), 5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(QPointF(-22, -6), 22, 22);
   painter.drawEllipse(QPointF(22, -6), 22, 22);
@@ -118,8 +117,8 @@ void SignView::paintEvent(QPaintEvent*) {
     case HomeSign::arrow:
       drawCoil(painter);
       painter.rotate(arrow_rad_ * 180 / M_PI);
-      painter.setPen(QPen(QColor(11, 13, 16), 2));
-      painter.setBrush(kArrow);
+      painter.setPen(QPen(themeColour(Colour::on_state), 2));
+      painter.setBrush(themeColour(Colour::now));
       painter.drawPolygon(arrowShape());
       return;
     case HomeSign::lift:

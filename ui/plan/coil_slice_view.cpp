@@ -10,6 +10,8 @@
 #include "facenav/guidance/handle.h"
 #include "shell/appearance.h"
 #include "shell/image_view.h"
+#include "shell/picture_focus.h"
+#include "shell/theme.h"
 #include "shell/window_drag.h"
 
 namespace facenav::ui {
@@ -28,8 +30,10 @@ QString longestFitting(const QString& words, const QFontMetrics& metrics, int ro
 }  // namespace
 
 CoilSliceView::CoilSliceView(scene::CoilCut cut, QWidget* parent) : QWidget(parent), cut_(cut) {
-  setMinimumSize(150, 120);
-  setFocusPolicy(Qt::ClickFocus);  // the arrow keys of Plan
+  setMinimumSize(150, 110);
+  setFocusPolicy(Qt::StrongFocus);  // the arrow keys of Plan, and the menu key
+  setAccessibleName(cut == scene::CoilCut::along_handle ? tr("slice along the handle")
+                                                        : tr("slice across the handle"));
   setToolTip(cut == scene::CoilCut::along_handle
                  ? tr("the MRI along the coil's axis and its handle, which is on the left; a tick is 10 mm; "
                       "ring and lines beside the beam: 95 % of the errors at the target are smaller")
@@ -85,8 +89,8 @@ QString CoilSliceView::boundWords() const {
 
 void CoilSliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), QColor(0, 0, 0));
-  painter.setPen(QColor(158, 171, 184));
+  painter.fillRect(rect(), themeColour(Colour::picture));
+  painter.setPen(themeColour(Colour::picture_words));
   if (showsSlice()) {
     if (is_outdated_) picture_ = toQImage(coilSlicePicture(*scene_, *coil_, cut_, plane()));
     painter.drawImage(0, 0, picture_);
@@ -95,16 +99,19 @@ void CoilSliceView::paintEvent(QPaintEvent*) {
   }
   is_outdated_ = false;
   const QFontMetrics metrics = painter.fontMetrics();
+  QColor behind_words = themeColour(Colour::picture);
+  behind_words.setAlpha(170);
   const auto write = [&](const QString& words, int top) {
     if (words.isEmpty()) return;
     const QString shown = longestFitting(words, metrics, width() - 16);
     if (showsSlice())  // grey words on grey tissue cannot be read
-      painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), QColor(0, 0, 0, 170));
+      painter.fillRect(4, top, metrics.horizontalAdvance(shown) + 8, metrics.height(), behind_words);
     painter.drawText(8, top + metrics.ascent(), shown);
   };
   const int letters = sized(24);  // the letters of the sides are drawn below
   write(caption(), 4);
   write(boundWords(), height() - letters - metrics.height());
+  paintFocus(painter, *this);
 }
 
 ViewOffers CoilSliceView::offersAt(const QPoint& position) {

@@ -92,6 +92,7 @@ void DosePanel::makeFields() {
   form->addRow(fault_);
   coil_ = label(tr("coil"));
   library_coil_ = new QComboBox(this);
+  library_coil_->setAccessibleName(tr("coil of the library"));
   library_coil_->setToolTip(tr("a coil of the library ('facenav coil add'), by its name"));
   form->addRow(library_coil_);
   form->addRow(choose_coil_ = button(tr("Choose a coil \u2026"),

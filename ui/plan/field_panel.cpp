@@ -34,6 +34,7 @@ FieldPanel::FieldPanel(FieldPresenter& presenter, QWidget* parent) : QFrame(pare
   rate_->setKeyboardTracking(false);
   rate_->setAccessibleName(tr("rate of the current"));
   unit_ = new QComboBox(this);
+  unit_->setAccessibleName(tr("unit of the current"));
   unit_->addItems({tr("A/us"), tr("% of the output")});
   for (QWidget* field : {static_cast<QWidget*>(rate_), static_cast<QWidget*>(unit_)})
     field->setToolTip(tr("how fast the coil's current rises; % if the coil's file states its largest rate"));

@@ -21,6 +21,7 @@ OverlaysPanel::OverlaysPanel(OverlayPresenter& presenter, QWidget* parent)
     : QFrame(parent), presenter_(presenter) {
   auto* column = new QVBoxLayout(this);
   list_ = new QListWidget(this);
+  list_->setAccessibleName(tr("overlays"));
   whenTextScales(this, [this] {
     list_->setMinimumSize(sized(280), sized(90));
     list_->setMaximumHeight(sized(130));
@@ -71,6 +72,7 @@ void OverlaysPanel::makeFields() {
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   auto* row = new QHBoxLayout;
   space_ = new QComboBox(this);
+  space_->setAccessibleName(tr("space of the next file"));
   space_->addItems({tr("as the file says"), tr("this MRI"), tr("MNI")});
   space_->setToolTip(tr("the space of the next file: this MRI, or MNI (through the case's atlas)"));
   add_ = new QPushButton(tr("Add a file \u2026"), this);

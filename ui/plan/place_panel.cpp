@@ -16,7 +16,8 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLines = 4;  // RAS, MNI, the region, its Brodmann area
+constexpr int kLines = 4;     // RAS, MNI, the region, its Brodmann area
+constexpr int kLine_px = 18;  // of its letters
 
 }  // namespace
 
@@ -31,13 +32,15 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
   makeNarrow(*words_);
   whenTextScales(this, [this] {
-    words_->setMinimumHeight(sized(kTextLine_px * kLines));  // the fields stay in place
+    words_->setMinimumHeight(sized(kLine_px * kLines));  // the fields stay in place
     leaveRoom();
   });
   frame_ = new QComboBox(this);
+  frame_->setAccessibleName(tr("what the typed numbers are"));
   frame_->addItems({tr("MNI"), tr("RAS")});
   frame_->setToolTip(tr("what the typed numbers are"));
   typed_ = new QLineEdit(this);
+  typed_->setAccessibleName(tr("coordinates x y z, mm"));
   typed_->setPlaceholderText(tr("x y z, mm"));
   typed_->setToolTip(
       tr("type coordinates, such as -38 -22 56 or -38,5; -22; 56; Return: the crosshair goes there "

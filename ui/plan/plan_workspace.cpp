@@ -123,11 +123,13 @@ TargetTools* PlanWorkspace::makeTools(QWidget* parent) {
 /// Makes the search field of the list and the note of the active target.
 QWidget* PlanWorkspace::makeFields(QWidget* parent) {
   search_ = new QLineEdit(parent);
+  search_->setAccessibleName(tr("search the targets"));
   search_->setPlaceholderText(tr("search"));
   search_->setToolTip(tr("shows the targets whose name or note holds these words"));
   search_->setClearButtonEnabled(true);
   connect(search_, &QLineEdit::textChanged, this, [this] { targets_->filter(search_->text()); });
   note_ = new QLineEdit(parent);
+  note_->setAccessibleName(tr("note of the target"));
   note_->setPlaceholderText(tr("note"));
   note_->setToolTip(tr("note of the active target (Return)"));
   connect(note_, &QLineEdit::editingFinished, this, [this] {

@@ -75,6 +75,7 @@ QWidget* ArchivePage::makeQuery() {
   patient_name_ = field(tr("name"), tr("FAMILY^GIVEN as the archive writes it; * and ? stand for anything"));
   date_ = field(tr("date"), tr("YYYYMMDD, or from-to: YYYYMMDD-YYYYMMDD"));
   modality_ = new QComboBox(box);
+  modality_->setAccessibleName(tr("kind of image"));
   modality_->addItem(tr("MR"), "MR");
   modality_->addItem(tr("CT"), "CT");
   modality_->addItem(tr("any kind"), "");

@@ -11,6 +11,7 @@
 #include "shell/appearance.h"
 #include "shell/linked_views.h"
 #include "shell/scroll_column.h"
+#include "shell/theme.h"
 #include "shell/wrapped_list.h"
 
 namespace facenav::ui {
@@ -29,6 +30,9 @@ CheckPage::CheckPage(PreparePresenter& presenter, EditPresenter& edit, CaseModel
     if (is_outdated_) return;
     views_->setBrain(model_.current());
     showFindings();
+  });
+  whenThemeChanges(this, [this] {
+    if (!is_outdated_ && model_.isOpen()) showFindings();
   });
   views_->setTool(&edit_);
   auto& scene_view = views_->sceneView();
@@ -121,9 +125,9 @@ void CheckPage::showFindings() {
   findings_->clear();
   for (const auto& line : presenter_.findings()) {
     auto* item = new QListWidgetItem((line.is_caution ? tr("!  ") : tr("\u2713  ")) + line.words, findings_);
-    item->setForeground(line.place        ? QColor(120, 190, 255)
-                        : line.is_caution ? QColor(255, 178, 92)
-                                          : QColor(210, 220, 228));
+    item->setForeground(themeColour(line.place        ? Colour::link
+                                    : line.is_caution ? Colour::caution_words
+                                                      : Colour::text));
     if (!line.place) {
       item->setFlags(Qt::ItemIsEnabled);  // no link: it cannot be selected or activated
       continue;

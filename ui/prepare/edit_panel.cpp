@@ -32,6 +32,7 @@ EditPanel::EditPanel(EditPresenter& presenter, QWidget* parent)
   addTools(*grid);
   size_words_ = new QLabel(this);
   size_ = new QSlider(Qt::Horizontal, this);
+  size_->setAccessibleName(tr("size of the tool"));
   size_->setRange(1, kMostSlider);
   size_->setToolTip(
       tr("radius of brush and eraser, depth of the scalpel (Ctrl+wheel over a slice, [ and ])"));

@@ -16,6 +16,7 @@ constexpr int kRedraw_ms = 120;
 
 MontageView::MontageView(QWidget* parent) : QScrollArea(parent), sheet_(new QLabel(this)) {
   setObjectName("montage");
+  setAccessibleName(tr("slices through the brain"));
   setWidget(sheet_);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(

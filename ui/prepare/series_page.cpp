@@ -10,6 +10,7 @@
 
 #include "facenav/volume/nifti.h"
 #include "shell/elided_label.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kThumbnail_px = 96;
 
 QIcon iconOf(const std::optional<dicom::Thumbnail>& thumbnail) {
   QPixmap pixmap(kThumbnail_px, kThumbnail_px);
-  pixmap.fill(Qt::black);
+  pixmap.fill(themeColour(Colour::picture));
   if (thumbnail) {
     const QImage image(thumbnail->grey.data(), thumbnail->width_px, thumbnail->height_px, thumbnail->width_px,
                        QImage::Format_Grayscale8);
@@ -77,6 +78,11 @@ SeriesPage::SeriesPage(PreparePresenter& presenter, QWidget* parent)
   });
   connect(patients, &QCheckBox::toggled, &presenter_, &PreparePresenter::setPatientsShown);
   connect(&presenter_, &PreparePresenter::linesChanged, this, &SeriesPage::showLines);
+  whenThemeChanges(this, [this] {
+    const int row = series_->currentRow();
+    if (series_->count() > 0) showLines();
+    series_->setCurrentRow(row);
+  });
 }
 
 void SeriesPage::chooseFolder() {
@@ -103,7 +109,7 @@ void SeriesPage::showLines() {
     const QString whose = line.patient.isEmpty() ? QString() : "  \u00b7  " + line.patient;
     auto* item =
         new QListWidgetItem(iconOf(line.thumbnail), mark + line.title + whose + "\n" + line.detail, series_);
-    if (!line.is_usable) item->setForeground(QColor(140, 148, 158));
+    if (!line.is_usable) item->setForeground(themeColour(Colour::muted));
   }
   series_->setCurrentRow(presenter_.recommendedLine());
 }

@@ -62,9 +62,11 @@ QWidget* SignOffPage::makePanel() {
   items_->setToolTip(tr("tick each when you have looked at it (arrows, Space)"));
   items_->setAccessibleName(tr("what must be seen"));
   name_ = new QLineEdit(presenter_.name(), panel);
+  name_->setAccessibleName(tr("your name or initials"));
   name_->setPlaceholderText(tr("your name or initials"));
   name_->setToolTip(tr("kept with the case and remembered here; never the patient's name"));
   note_ = new QLineEdit(panel);
+  note_->setAccessibleName(tr("note of the sign-off"));
   note_->setToolTip(tr("kept with the sign-off; no patient's name"));
   sign_ = new QPushButton(tr("Sign off"), panel);
   sign_->setObjectName("primary");

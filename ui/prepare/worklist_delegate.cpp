@@ -6,6 +6,7 @@
 
 #include "prepare/worklist_table.h"
 #include "shell/status_chip.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
@@ -39,7 +40,7 @@ void WorklistDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
   const double fraction = index.data(WorklistTable::kFractionRole).toDouble();
   if (index.column() == WorklistTable::detail && fraction >= 0.0) {
     const QRect bar(option.rect.left(), option.rect.bottom() - 4, option.rect.width() - 8, 3);
-    painter->fillRect(bar, QColor(51, 60, 71));
+    painter->fillRect(bar, themeColour(Colour::bar_rest));
     painter->fillRect(QRect(bar.topLeft(), QSize(int(bar.width() * std::clamp(fraction, 0.0, 1.0)), 3)),
                       colourOf(Level::good));
   }

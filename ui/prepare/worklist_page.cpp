@@ -55,6 +55,7 @@ QWidget* WorklistPage::makeHead() {
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
   search_ = new QLineEdit(head);
+  search_->setAccessibleName(tr("filter of the worklist"));
   search_->setPlaceholderText(tr("Type to filter: state, case, name, finding"));
   search_->setToolTip(tr("every word must occur somewhere in the line (just type; Esc clears)"));
   search_->setClearButtonEnabled(true);

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include "shell/theme.h"
+
 namespace facenav::ui {
 namespace {
 
@@ -9,24 +11,24 @@ using report::ChartShape;
 using report::Ink;
 
 QColor colourOf(Ink ink, ChartPaper paper) {
-  const bool is_dark = paper == ChartPaper::dark;
+  const bool is_paper = paper == ChartPaper::white;
   switch (ink) {
     case Ink::words:
     case Ink::limit:
-      return is_dark ? QColor(237, 241, 245) : QColor(29, 36, 48);
+      return themeColour(is_paper ? Colour::paper_text : Colour::text);
     case Ink::axis:
-      return is_dark ? QColor(158, 171, 184) : QColor(29, 36, 48);
+      return themeColour(is_paper ? Colour::paper_line : Colour::muted);
     case Ink::grid:
-      return is_dark ? QColor(42, 51, 62) : QColor(204, 211, 220);
+      return themeColour(is_paper ? Colour::paper_grid : Colour::grid);
     case Ink::on_target:
     case Ink::bar:
-      return is_dark ? QColor(84, 178, 255) : QColor(0, 114, 178);
+      return themeColour(is_paper ? Colour::paper_good : Colour::good);
     case Ink::outside:
-      return is_dark ? QColor(255, 160, 51) : QColor(213, 94, 0);
+      return themeColour(is_paper ? Colour::paper_caution : Colour::caution);
     case Ink::excluded:
       break;
   }
-  return QColor(138, 147, 160);
+  return themeColour(is_paper ? Colour::paper_excluded : Colour::lost);
 }
 
 void paintWords(QPainter& painter, const ChartShape& s) {

@@ -1,5 +1,5 @@
 #pragma once
-// Draws a report::Chart with QPainter: in the window's dark colours, or for white paper.
+// Draws a report::Chart with QPainter: in the window's colours, or for white paper.
 
 #include "facenav/report/chart.h"
 
@@ -7,7 +7,7 @@ class QPainter;
 
 namespace facenav::ui {
 
-enum class ChartPaper { dark, white };
+enum class ChartPaper { window, white };
 
 /// Paints the chart at the painter's origin, one chart unit per painter unit; the background is not filled.
 void paintChart(QPainter& painter, const report::Chart& chart, ChartPaper paper);

@@ -32,7 +32,7 @@ void ChartView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   painter.scale(scale(), scale());
-  paintChart(painter, chart_, ChartPaper::dark);
+  paintChart(painter, chart_, ChartPaper::window);
 }
 
 }  // namespace facenav::ui

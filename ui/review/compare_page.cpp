@@ -60,6 +60,8 @@ ComparePage::ComparePage(ReviewPresenter& presenter, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("The chosen session against"), this));
   row->addWidget(earlier_, 1);
+  earlier_->setAccessibleName(tr("session to compare with"));
+  table_->setAccessibleName(tr("differences of the sessions"));
   earlier_->setToolTip(tr("the session that the coil had to come back to"));
   earlier_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   earlier_->setMinimumContentsLength(16);
@@ -72,6 +74,7 @@ ComparePage::ComparePage(ReviewPresenter& presenter, QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
   table_->setAlternatingRowColors(true);
   whenTextScales(this, [this] {
     table_->setColumnWidth(0, sized(150));

@@ -1,9 +1,9 @@
 #include "review/pulse_table.h"
 
-#include <QColor>
 #include <limits>
 
 #include "facenav/report/local_time.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
@@ -107,7 +107,7 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return int(Qt::AlignVCenter | (isValue(index.column()) ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ForegroundRole:
-      return reviewed.is_excluded ? QVariant(QColor(158, 171, 184)) : QVariant();
+      return reviewed.is_excluded ? QVariant(themeColour(Colour::muted)) : QVariant();
     case Qt::ToolTipRole:
       if (index.column() == columnOf(report::PulseColumn::mep) &&
           session_->kept.pulses.edited_meps.count(reviewed.pulse.number))

@@ -85,6 +85,7 @@ QWidget* PulsesPage::makeChoice() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   column_ = new QComboBox(bar);
+  column_->setAccessibleName(tr("number that is coloured"));
   for (const auto& words : report::pulseColumns()) column_->addItem(tr(words.name));
   column_->setToolTip(tr("the number by which the pulses are coloured and plotted"));
   legend_ = new ColourLegend(bar);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "shell/appearance.h"
 #include "shell/narrow_label.h"
 #include "shell/report_pdf.h"
 
@@ -29,6 +30,7 @@ ReportPage::ReportPage(ReviewPresenter& presenter, CaseModel& model, QWidget* pa
     is_outdated_ = true;
     if (isVisible()) make();
   });
+  whenTextScales(this, [this] { fitWords(); });
   connect(&maker_, &TaskRunner::failed, this, [this](const QString& words) { words_->setText(words); });
 }
 
@@ -72,8 +74,19 @@ void ReportPage::show(const report::SessionReport& report) {
   delete std::exchange(document_, document);
   words_->setText(
       tr("Write PDF keeps this as report.pdf and report.html, with pictures of the pulses, and pulses.csv."));
+  fitWords();
 }
 
 void ReportPage::showEvent(QShowEvent*) { make(); }
+
+/// Gives the words above the report the height of all their lines.
+void ReportPage::fitWords() {
+  words_->setMinimumHeight(words_->text().isEmpty() ? 0 : words_->heightForWidth(words_->width()));
+}
+
+void ReportPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitWords();
+}
 
 }  // namespace facenav::ui

@@ -23,9 +23,11 @@ class ReportPage : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make();
+  void fitWords();
   void show(const report::SessionReport& report);
 
   ReviewPresenter& presenter_;

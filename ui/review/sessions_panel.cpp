@@ -196,9 +196,11 @@ QWidget* SessionsPanel::makeEdits() {
   column->setContentsMargins(0, 0, 0, 0);
   auto* fields = new QHBoxLayout;
   reason_ = new QLineEdit(box);
+  reason_->setAccessibleName(tr("reason to exclude"));
   reason_->setPlaceholderText(tr("reason to exclude"));
   reason_->setToolTip(tr("why the chosen pulses do not count; kept with the change"));
   by_ = new QLineEdit(box);
+  by_->setAccessibleName(tr("your name or initials"));
   by_->setPlaceholderText(tr("by"));
   by_->setToolTip(tr("your name or initials; kept with the change"));
   whenTextScales(this, [this] { by_->setMaximumWidth(sized(90)); });

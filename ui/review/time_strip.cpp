@@ -6,18 +6,17 @@
 
 #include "review/replay_presenter.h"
 #include "shell/appearance.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
-namespace {
-
-const QColor kOnTarget(84, 178, 255), kAdjust(255, 160, 51), kLost(153, 158, 166);
-
-}  // namespace
-
 TimeStrip::TimeStrip(ReplayPresenter& presenter, QWidget* parent) : QWidget(parent), presenter_(presenter) {
   whenTextScales(this, [this] {
     setFixedHeight(sized(44));
     setMinimumWidth(sized(200));
+  });
+  whenThemeChanges(this, [this] {
+    drawBand();
+    update();
   });
   setToolTip(
       tr("tall blue: on target; half as tall, orange: to be adjusted; thin grey: lost. Ticks below: pulses, "
@@ -39,6 +38,8 @@ void TimeStrip::drawBand() {
   const auto& track = presenter_.track();
   const auto count = track.moments.size();
   const int room = height() * 2 / 3;
+  const QColor good = themeColour(Colour::good), caution = themeColour(Colour::caution),
+               none = themeColour(Colour::lost);
   for (int x = 0; x < width(); ++x) {
     const std::size_t from = count * std::size_t(x) / std::size_t(width());
     const std::size_t to =
@@ -50,11 +51,11 @@ void TimeStrip::drawBand() {
       ++(is_lost ? lost : track.word(moment.state) == "on_target" ? on_target : adjust);
     }
     if (lost >= std::max(on_target, adjust))
-      painter.fillRect(x, room - 3, 1, 3, kLost);
+      painter.fillRect(x, room - 3, 1, 3, none);
     else if (on_target >= adjust)
-      painter.fillRect(x, 0, 1, room, kOnTarget);
+      painter.fillRect(x, 0, 1, room, good);
     else
-      painter.fillRect(x, room / 2, 1, room - room / 2, kAdjust);
+      painter.fillRect(x, room / 2, 1, room - room / 2, caution);
   }
 }
 
@@ -70,9 +71,10 @@ void TimeStrip::paintEvent(QPaintEvent*) {
   for (const auto& pulse : presenter_.pulses()) {
     const int x = int(pulse.index / last * (width() - 1));
     painter.fillRect(x, below, pulse.is_on_target ? 2 : 1, height() - below,
-                     pulse.is_on_target ? kOnTarget : kAdjust);
+                     themeColour(pulse.is_on_target ? Colour::good : Colour::caution));
   }
-  painter.fillRect(int(presenter_.index() / last * (width() - 2)), 0, 2, height(), Qt::white);
+  painter.fillRect(int(presenter_.index() / last * (width() - 2)), 0, 2, height(),
+                   themeColour(Colour::strong));
 }
 
 void TimeStrip::goTo(int x_px) {

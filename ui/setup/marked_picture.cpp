@@ -3,23 +3,31 @@
 #include <QPainter>
 
 #include "shell/image_view.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
 
-const QColor kGood(82, 200, 120), kMark(255, 196, 60);
 constexpr int kCells = 3;
+
+/// Colour on a camera's picture: the dark theme's, since the picture does not change with the theme.
+QColor onPicture(Colour colour, int alpha = 255) {
+  QColor on = themeColour(colour, Theme::dark);
+  on.setAlpha(alpha);
+  return on;
+}
 
 /// Marks covered parts with a tick and a thin frame, so that the state is not in colour alone.
 void drawCoverage(QPainter& painter, const QSize& size, const std::vector<bool>& cells) {
   const int w = size.width() / kCells, h = size.height() / kCells;
+  const QColor grid = onPicture(Colour::picture_text, 70), covered = onPicture(Colour::good, 45);
   for (int i = 0; i < kCells * kCells; ++i) {
     const QRect cell((i % kCells) * w, (i / kCells) * h, w, h);
-    painter.setPen(QPen(QColor(255, 255, 255, 70), 1));
+    painter.setPen(QPen(grid, 1));
     painter.drawRect(cell);
     if (!cells[std::size_t(i)]) continue;
-    painter.fillRect(cell, QColor(82, 200, 120, 45));
-    painter.setPen(kGood);
+    painter.fillRect(cell, covered);
+    painter.setPen(onPicture(Colour::good));
     painter.drawText(cell.adjusted(6, 4, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::fromUtf8("\u2713"));
   }
 }
@@ -39,7 +47,7 @@ QImage markedPicture(const steps::SetupView& view, bool is_left) {
   painter.setFont(font);
   if (view.step == steps::SetupStep::calibrate && view.coverage && !view.is_done)
     drawCoverage(painter, image.size(), is_left ? view.coverage->left_cells : view.coverage->right_cells);
-  painter.setPen(QPen(view.is_done ? kGood : kMark, line));
+  painter.setPen(QPen(onPicture(view.is_done ? Colour::good : Colour::now), line));
   if (const auto& box = is_left ? view.left_box : view.right_box)
     painter.drawRect(QRect(box->x, box->y, box->width, box->height));
   const auto& marks = is_left ? view.left_marks : view.right_marks;

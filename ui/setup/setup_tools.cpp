@@ -80,6 +80,7 @@ void SetupTools::makeCameras() {
   device_words_ = addWords(*column, {}, "plain");
   addWords(*column, tr("Or a pair that is kept"), "heading");
   kept_ = narrowBox(this, tr("it is checked again, and repaired if it was moved"));
+  kept_->setAccessibleName(tr("kept pair"));
   column->addWidget(kept_);
   open_kept_ = addButton(*column, tr("Check this pair"), tr("opens its cameras at step 3"));
   column->addStretch(1);
@@ -132,6 +133,7 @@ void SetupTools::makeCheck() {
   auto* column = addPage();
   addWords(*column, tr("Name of this pair"), "heading");
   name_ = new QLineEdit(presenter_.name(), this);
+  name_->setAccessibleName(tr("name of this pair"));
   name_->setMaxLength(64);
   column->addWidget(name_);
   name_trouble_ = addWords(*column, {}, "fault");
@@ -154,6 +156,7 @@ void SetupTools::makeCoil() {
   auto* column = addPage();
   addWords(*column, tr("Coil of the library"), "heading");
   coil_ = narrowBox(this, tr("facenav coil add puts a coil into the library"));
+  coil_->setAccessibleName(tr("coil of the library"));
   column->addWidget(coil_);
   pivot_ = addButton(*column, tr("Calibrate by pivoting"), tr("three points of the coil on a fixed tip"));
   auto* jig = addButton(*column, tr("Calibrate with a jig\u2026"), tr("the jig's marker as coil.json"));

@@ -16,6 +16,7 @@
 #include "shell/image_view.h"
 #include "shell/narrow_label.h"
 #include "shell/scroll_column.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
@@ -23,7 +24,6 @@ namespace {
 using Step = steps::SetupStep;
 
 constexpr int kSetupRefresh_ms = 60, kToolsWidth_px = 270;
-const QColor kPlainWords(237, 241, 245), kDoneWords(82, 200, 120), kTroubleWords(255, 140, 130);
 
 }  // namespace
 
@@ -180,9 +180,9 @@ void SetupWindow::refresh() {
   sentence_->set(!trouble_.isEmpty()  ? trouble_
                  : tasks_.isRunning() ? tr("please wait: the cameras are opened")
                                       : presenter_.sentence(),
-                 is_bad    ? kTroubleWords
-                 : is_done ? kDoneWords
-                           : kPlainWords);
+                 themeColour(is_bad    ? Colour::stop_words
+                             : is_done ? Colour::good
+                                       : Colour::text));
   back_->setEnabled(presenter_.step() != Step::place);
   const bool is_last = presenter_.step() == Step::coil;
   next_->setText(is_last ? tr("Close") : tr("Go on"));

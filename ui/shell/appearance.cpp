@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/theme.h"
+
 /// The linker drops a static library's resources unless they are initialised (the macro needs the global
 /// namespace).
 static void initialiseResources() { Q_INIT_RESOURCE(facenav); }
@@ -42,6 +44,27 @@ QString withTextScaled(QString sheet, double scale) {
     done = match.capturedEnd();
   }
   return scaled + sheet.mid(done);
+}
+
+/// Colours of what the style sheet has no rule for.
+QPalette themePalette() {
+  QPalette palette;
+  palette.setColor(QPalette::Window, themeColour(Colour::window));
+  palette.setColor(QPalette::WindowText, themeColour(Colour::text));
+  palette.setColor(QPalette::Base, themeColour(Colour::field));
+  palette.setColor(QPalette::AlternateBase, themeColour(Colour::panel));
+  palette.setColor(QPalette::Text, themeColour(Colour::text));
+  palette.setColor(QPalette::PlaceholderText, themeColour(Colour::muted));
+  palette.setColor(QPalette::Button, themeColour(Colour::button));
+  palette.setColor(QPalette::ButtonText, themeColour(Colour::text));
+  palette.setColor(QPalette::Highlight, themeColour(Colour::menu_chosen));
+  palette.setColor(QPalette::HighlightedText, themeColour(Colour::on_accent));
+  palette.setColor(QPalette::Link, themeColour(Colour::link));
+  palette.setColor(QPalette::ToolTipBase, themeColour(Colour::button));
+  palette.setColor(QPalette::ToolTipText, themeColour(Colour::text));
+  for (const auto role : {QPalette::ButtonText, QPalette::Text})
+    palette.setColor(QPalette::Disabled, role, themeColour(Colour::disabled));
+  return palette;
 }
 
 }  // namespace
@@ -81,28 +104,14 @@ int sized(int usual_px) {
 
 void applyAppearance(QApplication& application, double text_scale) {
   application.setProperty(kTextScale, text_scale);
+  theme();  // looks at the desktop's colours before they are replaced
   QApplication::setStyle(QStyleFactory::create("Fusion"));
-  QPalette palette;
-  palette.setColor(QPalette::Window, QColor(16, 20, 26));
-  palette.setColor(QPalette::WindowText, QColor(237, 241, 245));
-  palette.setColor(QPalette::Base, QColor(11, 13, 16));
-  palette.setColor(QPalette::AlternateBase, QColor(21, 25, 31));
-  palette.setColor(QPalette::Text, QColor(237, 241, 245));
-  palette.setColor(QPalette::PlaceholderText, QColor(158, 171, 184));
-  palette.setColor(QPalette::Button, QColor(32, 39, 48));
-  palette.setColor(QPalette::ButtonText, QColor(237, 241, 245));
-  palette.setColor(QPalette::Highlight, QColor(38, 92, 140));
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Link, QColor(120, 190, 255));
-  palette.setColor(QPalette::ToolTipBase, QColor(32, 39, 48));
-  palette.setColor(QPalette::ToolTipText, QColor(237, 241, 245));
-  palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(110, 118, 128));
-  palette.setColor(QPalette::Disabled, QPalette::Text, QColor(110, 118, 128));
-  QApplication::setPalette(palette);
+  QApplication::setPalette(themePalette());
   initialiseResources();
-  QFile sheet(":/facenav/dark.qss");
+  QFile sheet(":/facenav/facenav.qss");
   if (sheet.open(QIODevice::ReadOnly))
-    application.setStyleSheet(withTextScaled(QString::fromUtf8(sheet.readAll()), text_scale));
+    application.setStyleSheet(
+        withTextScaled(withColours(QString::fromUtf8(sheet.readAll()), theme()), text_scale));
 }
 
 }  // namespace facenav::ui

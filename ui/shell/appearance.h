@@ -1,5 +1,5 @@
 #pragma once
-// Appearance: dark palette, style sheet, and the surface format that VTK's widgets need. Set it before
+// Appearance: palette, style sheet, and the surface format that VTK's widgets need. Set it before
 // QApplication.
 
 #include <QObject>

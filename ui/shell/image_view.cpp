@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "shell/theme.h"
+
 namespace facenav::ui {
 
 QImage toQImage(const RgbImage& image) {
@@ -29,9 +31,9 @@ void ImageView::set(const QImage& image, const QString& why_empty) {
 
 void ImageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), QColor(11, 13, 16));
+  painter.fillRect(rect(), themeColour(Colour::picture));
   if (image_.isNull()) {
-    painter.setPen(QColor(158, 171, 184));
+    painter.setPen(themeColour(Colour::picture_words));
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, words());
     return;
   }

@@ -20,9 +20,30 @@
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
 #include "shell/task_bar.h"
+#include "shell/theme.h"
 #include "shell/work_area.h"
 
 namespace facenav::ui {
+namespace {
+
+/// The themes; another one holds at once, and at the next start.
+void addThemes(QMenu& themes) {
+  auto* group = new QActionGroup(&themes);
+  const std::pair<ThemeChoice, QString> choices[] = {{ThemeChoice::dark, MainWindow::tr("&Dark")},
+                                                     {ThemeChoice::light, MainWindow::tr("&Light")},
+                                                     {ThemeChoice::system, MainWindow::tr("As the &system")}};
+  for (const auto& [choice, words] : choices) {
+    auto* action = themes.addAction(words, &themes, [choice = choice] {
+      rememberTheme(choice);
+      changeTheme(*qApp, choice);
+    });
+    action->setCheckable(true);
+    action->setChecked(rememberedTheme() == choice);
+    group->addAction(action);
+  }
+}
+
+}  // namespace
 
 void MainWindow::setUpCameras(const QString& rig) {
   if (treat_.isRunning())
@@ -132,6 +153,7 @@ PageEdits MainWindow::pageEdits() {
 void MainWindow::addViewMenu() {
   auto* view = menuBar()->addMenu(tr("&View"));
   addTextSizes(*view->addMenu(tr("&Text size")));
+  addThemes(*view->addMenu(tr("T&heme")));
   view->addAction(tr("&Reset the layout"), this, &MainWindow::resetLayout);
   auto* full = view->addAction(tr("&Full screen"), this,
                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });

@@ -13,12 +13,15 @@
 #include <utility>
 
 #include "shell/appearance.h"
+#include "shell/picture_focus.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
 
 constexpr double kFluid_ms = 40.0;  // no simplified scene is needed up to this rendering time
 constexpr int kRest_ms = 300;
+const char* const kIsOutdated = "is_outdated";  // property of a hidden view whose image is to be drawn again
 
 }  // namespace
 
@@ -30,6 +33,11 @@ SceneView::SceneView(QWidget* parent)
   whenTextScales(this, [this] {
     scene_->setTextScale(sized(100) / 100.0);
     if (isVisible()) refresh();
+  });
+  whenThemeChanges(this, [this] {
+    scene_->setBackground(themeRgb(Colour::scene_low), themeRgb(Colour::scene_high));
+    if (isVisible()) return refresh();
+    setProperty(kIsOutdated, whole_ms_ > 0);  // its image has the other theme's background
   });
   scene_->attach(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
@@ -46,6 +54,7 @@ SceneView::SceneView(QWidget* parent)
   line_->installEventFilter(this);
   line_->hide();
   setMinimumSize(200, 160);
+  setAccessibleName(tr("3-D view"));
   setToolTip(
       tr("left: rotate   middle: pan   right: zoom   click: choose a point   right click: "
          "menu"));
@@ -100,19 +109,42 @@ void SceneView::setDrawing(bool is_drawing) {
   if (draws_ == is_drawing) return;
   draws_ = is_drawing;
   outline_.clear();
-  line_->setVisible(is_drawing);
+  showLine();
   setCursor(is_drawing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-/// Draws the unfinished line over the rendered image.
+/// The layer over the image costs time with each drawing, so it is there only while it shows something.
+void SceneView::showLine() {
+  line_->setVisible(draws_ || has_seen_focus_);
+  line_->update();
+}
+
+/// Shows a focus that came by keyboard; a click shows by itself where it was.
+void SceneView::focusInEvent(QFocusEvent* event) {
+  has_seen_focus_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  showLine();
+  QVTKOpenGLNativeWidget::focusInEvent(event);
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  has_seen_focus_ = false;
+  showLine();
+  QVTKOpenGLNativeWidget::focusOutEvent(event);
+}
+
+/// Draws the unfinished line over the rendered image, and the frame of the focus.
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != line_ || event->type() != QEvent::Paint)
     return QVTKOpenGLNativeWidget::eventFilter(watched, event);
   QPainter painter(line_);
+  if (has_seen_focus_) {
+    painter.setPen(QPen(themeColour(Colour::picture_text), kFocusFrame_px));
+    painter.drawRect(line_->rect().adjusted(1, 1, -1, -1));
+  }
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(Qt::white, 2));
+  painter.setPen(QPen(themeColour(Colour::picture_text), 2));
   painter.drawPolyline(outline_);
-  painter.setPen(QPen(Qt::white, 1, Qt::DashLine));
+  painter.setPen(QPen(themeColour(Colour::picture_text), 1, Qt::DashLine));
   if (outline_.size() > 2) painter.drawLine(outline_.back(), outline_.front());
   return true;
 }
@@ -124,6 +156,10 @@ bool SceneView::event(QEvent* event) {
     if (static_cast<QContextMenuEvent*>(event)->reason() != QContextMenuEvent::Mouse)
       openViewMenu(*this, rect().center(), offersAt(rect().center()));
     return true;
+  }
+  if (event->type() == QEvent::Show && property(kIsOutdated).toBool()) {
+    setProperty(kIsOutdated, false);
+    QTimer::singleShot(0, this, &SceneView::refresh);
   }
   return is_key ? QWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }

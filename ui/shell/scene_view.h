@@ -56,6 +56,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   bool event(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -63,11 +65,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::unique_ptr<scene::NavigationScene> scene_;
   bool drawsQuickly(bool is_skin_shown);
   void refreshQuickly(bool is_skin_shown);
+  void showLine();
   std::optional<scene::ScenePick> pickAt(const QPoint& position) const;
 
   QWidget* line_;  // drawn over the image
   QPolygon outline_;
-  bool draws_ = false;
+  bool draws_ = false, has_seen_focus_ = false;
   QPoint pressed_at_;
   QTimer rest_;
   double whole_ms_ = 0.0;

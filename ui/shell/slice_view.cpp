@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "shell/image_view.h"
+#include "shell/picture_focus.h"
+#include "shell/theme.h"
 #include "shell/window_drag.h"
 
 namespace facenav::ui {
@@ -30,11 +32,14 @@ QString nameOf(volume::Anatomical orientation) {
 SliceView::SliceView(volume::Anatomical orientation, QWidget* parent)
     : QWidget(parent), orientation_(orientation), reset_(new QToolButton(this)) {
   setMinimumSize(160, 140);
-  setFocusPolicy(Qt::ClickFocus);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("slice, %1").arg(nameOf(orientation)));
   setToolTip(
-      tr("left: crosshair   wheel: slice   right: zoom   middle: pan   Ctrl+left: window/level   double "
+      tr("left: crosshair   wheel, page up and down: slice   right: zoom   middle: pan   Ctrl+left: "
+         "window/level   double "
          "click: choose   R: zoom, pan and window as at first   right click: menu"));
   reset_->setText(tr("1:1"));
+  reset_->setObjectName("on_picture");
   reset_->setToolTip(tr("zoom, pan and window as at first, in all slices (R)"));
   connect(reset_, &QToolButton::clicked, this, &SliceView::resetWanted);
 }
@@ -83,17 +88,18 @@ void SliceView::moveCrosshair(const Point<Mri>& to) { emit crosshairMoved(to.mm.
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), QColor(0, 0, 0));
+  painter.fillRect(rect(), themeColour(Colour::picture));
   if (!scene_ || !scene_->mri) {
-    painter.setPen(QColor(120, 130, 140));
+    painter.setPen(themeColour(Colour::picture_words));
     painter.drawText(rect(), Qt::AlignCenter, nameOf(orientation_));
-    return;
+    return paintFocus(painter, *this);
   }
   if (is_outdated_) picture_ = toQImage(scene_->picture(plane()));
   is_outdated_ = false;
   painter.drawImage(0, 0, picture_);
   paintCaption(painter);
   if (draws()) paintTool(painter);
+  paintFocus(painter, *this);
 }
 
 QStringList SliceView::caption() const {
@@ -111,7 +117,7 @@ QStringList SliceView::caption() const {
 }
 
 void SliceView::paintCaption(QPainter& painter) {
-  painter.setPen(QColor(158, 171, 184));
+  painter.setPen(themeColour(Colour::picture_words));
   const QFontMetrics metrics = painter.fontMetrics();
   int y_px = 4 + metrics.ascent();
   for (const QString& line : caption()) {
@@ -122,7 +128,7 @@ void SliceView::paintCaption(QPainter& painter) {
 
 void SliceView::paintTool(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(Qt::white, 1.4));
+  painter.setPen(QPen(themeColour(Colour::picture_text), 1.4));
   if (is_stroke_ && !tool_->outline().empty()) {
     QPolygonF line;
     for (const auto& p : tool_->outline()) line << QPointF(p.x(), p.y());
@@ -210,9 +216,20 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     tool_->resize(event->angleDelta().y() > 0 ? 1 : -1);
     return update();
   }
+  goBy(event->angleDelta().y() > 0 ? 1.0 : -1.0);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  const bool is_up = event->key() == Qt::Key_PageUp;
+  if (!scene_ || !scene_->mri || (!is_up && event->key() != Qt::Key_PageDown))
+    return QWidget::keyPressEvent(event);
+  goBy(is_up ? 1.0 : -1.0);
+}
+
+/// Moves the crosshair across the slice.
+void SliceView::goBy(double step_mm) {
   const auto p = plane();
   const Eigen::Vector3d normal = p.right.v.cross(p.down.v);
-  const double step_mm = event->angleDelta().y() > 0 ? 1.0 : -1.0;
   const Eigen::Vector3d from = scene_->crosshair.value_or(scene_->mri->grid.centre()).mm;
   moveCrosshair(Point<Mri>(from - step_mm * normal));
 }

@@ -51,6 +51,7 @@ class SliceView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -62,6 +63,7 @@ class SliceView : public QWidget {
   volume::SlicePlane plane() const;
   Point<Mri> pointAt(const QPoint& position) const;
   void moveCrosshair(const Point<Mri>& to);
+  void goBy(double step_mm);
 
   volume::Anatomical orientation_;
   std::shared_ptr<scene::SliceScene> scene_;

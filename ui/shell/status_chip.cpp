@@ -3,19 +3,21 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "shell/theme.h"
+
 namespace facenav::ui {
 
 QColor colourOf(Level level) {
   switch (level) {
     case Level::good:
-      return QColor(84, 178, 255);
+      return themeColour(Colour::good);
     case Level::caution:
-      return QColor(255, 160, 51);
+      return themeColour(Colour::caution);
     case Level::lost:
     case Level::idle:
       break;
   }
-  return QColor(165, 170, 178);
+  return themeColour(Colour::lost);
 }
 
 StatusChip::StatusChip(const QString& longest, QWidget* parent) : QWidget(parent), longest_(longest) {
@@ -42,7 +44,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = colourOf(chip_.level);
   painter.setPen(QPen(colour, 1.2));
-  painter.setBrush(QColor(22, 27, 34));
+  painter.setBrush(themeColour(Colour::chip));
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), height() / 2.0, height() / 2.0);
   const QPointF c(18, height() / 2.0);
   const double r = 5.5;
@@ -60,7 +62,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
     painter.drawLine(c + QPointF(-r, -r), c + QPointF(r, r));
     painter.drawLine(c + QPointF(-r, r), c + QPointF(r, -r));
   }
-  painter.setPen(QColor(237, 241, 245));
+  painter.setPen(themeColour(Colour::text));
   painter.drawText(rect().adjusted(32, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, chip_.words);
 }
 

@@ -16,14 +16,19 @@ inline void setWords(QAbstractButton& button, const QString& words) {
   button.setShortcut(key);
 }
 
-/// Leaves room for the longest of these texts, so that its neighbours keep their places.
+/// Leaves room for the longest of these texts, so that its neighbours keep their places. A primary button has
+/// bold letters while it can be pressed.
 inline void keepWidthOf(const QStringList& texts, QAbstractButton& button) {
-  const auto width_px = [&](const QString& words) {
-    return button.fontMetrics().size(Qt::TextShowMnemonic, words).width();
+  const auto width_px = [&](const QString& words, int weight) {
+    QFont font = button.font();
+    font.setWeight(weight);
+    return QFontMetrics(font).size(Qt::TextShowMnemonic, words).width();
   };
+  const int weight = button.font().weight();
+  const int boldest = button.objectName() == "primary" ? std::max<int>(weight, QFont::DemiBold) : weight;
   int longest_px = 0;
-  for (const QString& words : texts) longest_px = std::max(longest_px, width_px(words));
-  button.setMinimumWidth(button.sizeHint().width() + longest_px - width_px(button.text()));
+  for (const QString& words : texts) longest_px = std::max(longest_px, width_px(words, boldest));
+  button.setMinimumWidth(button.sizeHint().width() + longest_px - width_px(button.text(), weight));
 }
 
 /// Leaves room for bold letters, which some buttons have when they are chosen.

@@ -86,6 +86,8 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
   auto* grid = new QGridLayout;
   left_ = new QComboBox(this);
   right_ = new QComboBox(this);
+  left_->setAccessibleName(tr("left camera"));
+  right_->setAccessibleName(tr("right camera"));
   for (auto* box : {left_, right_}) {
     setNarrow(*box);
     letAddressBeTyped(*box);
@@ -127,6 +129,7 @@ void CamerasPanel::addChoice(QVBoxLayout& column) {
 
 void CamerasPanel::addNamedRig(QGridLayout& grid) {
   named_rig_ = new QComboBox(this);
+  named_rig_->setAccessibleName(tr("rig"));
   setNarrow(*named_rig_);
   named_rig_->setToolTip(tr("cameras, settings and calibration kept under a name (facenav rig new)"));
   grid.addWidget(new QLabel(tr("rig"), this), 2, 0);

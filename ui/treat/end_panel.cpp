@@ -22,6 +22,7 @@ EndPanel::EndPanel(TreatPresenter& treat, QWidget* parent) : QFrame(parent), tre
   pain_->setMinimumContentsLength(int(pain_->itemText(0).size()) + 1);
   pain_->setAccessibleName(tr("pain after"));
   adverse_ = new QLineEdit(this);
+  adverse_->setAccessibleName(tr("adverse events"));
   adverse_->setObjectName("end_adverse");
   adverse_->setPlaceholderText(tr("adverse events, in words; empty: none"));
   adverse_->setToolTip(tr("kept in the session's log and report"));

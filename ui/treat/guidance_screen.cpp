@@ -7,11 +7,10 @@
 
 #include "facenav/geometry/rotation.h"
 #include "shell/status_chip.h"
+#include "shell/theme.h"
 
 namespace facenav::ui {
 namespace {
-
-const QColor kScreenGround(11, 13, 16), kScreenText(237, 241, 245), kScreenQuiet(158, 171, 184);
 
 /// One word for the step; if lost: the title of the loss.
 QString wordFor(guidance::Action action, const ReadOut& read_out) {
@@ -95,7 +94,7 @@ void drawArrow(QPainter& painter, double angle_rad, const QColor& colour) {
 
 /// Draws the plate from the side on a curved head, and the motion along its axis.
 void drawLift(QPainter& painter, bool is_up, const QColor& colour) {
-  painter.setPen(QPen(kScreenQuiet, 0.07, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(themeColour(Colour::muted), 0.07, Qt::SolidLine, Qt::RoundCap));
   painter.drawArc(QRectF(-1.1, 0.45, 2.2, 2.2), 30 * 16, 120 * 16);
   painter.save();
   painter.translate(0, -0.25);
@@ -108,7 +107,7 @@ void drawLift(QPainter& painter, bool is_up, const QColor& colour) {
 /// knob) the handle.
 void drawTilt(QPainter& painter, bool is_left_up, bool is_handle, const QColor& colour) {
   const double low = is_left_up ? 0.38 : -0.38;  // height of the left end; y is down
-  painter.setPen(QPen(kScreenQuiet, 0.06, Qt::DashLine));
+  painter.setPen(QPen(themeColour(Colour::muted), 0.06, Qt::DashLine));
   painter.drawLine(QPointF(-0.85, 0), QPointF(0.85, 0));
   painter.setPen(QPen(colour, 0.16, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(-0.6, low), QPointF(0.75, -low));
@@ -179,7 +178,7 @@ void GuidanceScreen::set(const guidance::GuidanceState& guidance, const ReadOut&
 void GuidanceScreen::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), kScreenGround);
+  painter.fillRect(rect(), themeColour(Colour::ground));
   const bool is_wide = width() > 1.2 * height();
   const double side =
       is_wide ? std::min(0.46 * width(), 0.92 * height()) : std::min(0.92 * width(), 0.5 * height());
@@ -200,7 +199,7 @@ void GuidanceScreen::drawGlyph(QPainter& painter, const QRectF& square) const {
   painter.scale(square.width() / 2, square.height() / 2);
   const bool is_good = read_out_.level == Level::good;
   if (action_ != guidance::Action::none) {
-    painter.setPen(QPen(is_good ? colour : kScreenQuiet, is_good ? 0.14 : 0.04));
+    painter.setPen(QPen(is_good ? colour : themeColour(Colour::muted), is_good ? 0.14 : 0.04));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(QPointF(0, 0), 0.92, 0.92);
   }
@@ -243,15 +242,15 @@ void GuidanceScreen::drawWords(QPainter& painter, const QRectF& room) const {
     y += height_px;
   };
   line(word_, 0.16 * h, colourOf(read_out_.level));
-  line(figure_, 0.24 * h, kScreenText);
+  line(figure_, 0.24 * h, themeColour(Colour::text));
   const double below_px = distance_.isEmpty() ? 0 : 1.5 * least;
   const QString advice = read_out_.instruction.section(": ", 1);
   painter.setFont(letters(*this, least, QFont::DemiBold));
-  painter.setPen(kScreenText);
+  painter.setPen(themeColour(Colour::text));
   painter.drawText(QRectF(room.left(), y, room.width(), std::max(0.0, room.bottom() - below_px - y)),
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, advice);
   y = room.bottom() - below_px;
-  line(distance_, least, kScreenQuiet);
+  line(distance_, least, themeColour(Colour::muted));
 }
 
 void GuidanceScreen::closeEvent(QCloseEvent* event) {

@@ -12,6 +12,7 @@
 
 #include "shell/appearance.h"
 #include "shell/typed_number.h"
+#include "shell/whole_choice.h"
 
 namespace facenav::ui {
 namespace {
@@ -61,6 +62,7 @@ QWidget* MotorPanel::makeAnswers() {
   output_->setToolTip(tr("output that the stimulator is set to, %; kept with each pulse"));
   output_->setAccessibleName(tr("output, %"));
   mep_ = new QLineEdit(answers);
+  mep_->setAccessibleName(tr("MEP, uV"));
   whenTextScales(this, [this] { mep_->setMaximumWidth(sized(120)); });
   mep_->setToolTip(tr("peak-to-peak MEP of the pulse named below, uV; Enter keeps it"));
   mep_->setPlaceholderText(tr("MEP, uV"));
@@ -90,11 +92,13 @@ QWidget* MotorPanel::makeAnswers() {
 
 QWidget* MotorPanel::makeSearch() {
   auto* bar = new QWidget(this);
-  method_ = new QComboBox(bar);
+  method_ = new WholeChoice(bar);
+  method_->setAccessibleName(tr("method of the threshold"));
   method_->addItem(tr("Bayes, 20 pulses"), QVariant(int(stimulation::ThresholdMethod::bayes)));
   method_->addItem(tr("5 of 10"), QVariant(int(stimulation::ThresholdMethod::five_of_ten)));
   method_->setToolTip(tr("how the motor threshold is found"));
   muscle_ = new QLineEdit(bar);
+  muscle_->setAccessibleName(tr("muscle"));
   muscle_->setPlaceholderText(tr("muscle"));
   muscle_->setToolTip(tr("muscle and side, as the report shall name it"));
   search_ = new QPushButton(bar);

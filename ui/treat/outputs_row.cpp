@@ -76,6 +76,7 @@ QWidget* OutputsRow::makeOthers() {
   send_->setObjectName("send_to");
   send_->setToolTip(tr("sends to the programs named beside it; off at each start"));
   others_ = new QLineEdit(treat_.otherOutputs(), bar);
+  others_->setAccessibleName(tr("outputs to other programs"));
   others_->setObjectName("other_outputs");
   others_->setPlaceholderText(QStringLiteral("lsl, invesalius:5000, osc:9000"));
   others_->setToolTip(tr("outputs with commas between them: %1. Without a host: this computer.")

@@ -18,6 +18,8 @@ OverridePanel::OverridePanel(TreatPresenter& presenter, CaseModel& model, QWidge
   words_->setWordWrap(true);
   name_ = new QLineEdit(this);
   reason_ = new QLineEdit(this);
+  name_->setAccessibleName(tr("your name"));
+  reason_->setAccessibleName(tr("reason"));
   name_->setPlaceholderText(tr("your name"));
   reason_->setPlaceholderText(tr("reason"));
   whenTextScales(this, [this] {

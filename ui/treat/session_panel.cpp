@@ -50,6 +50,7 @@ QWidget* SessionPanel::makePause() {
   pause_ = new QPushButton(bar);
   pause_->setToolTip(tr("a pause or its end, with the time, in the session's log"));
   reason_ = new QComboBox(bar);
+  reason_->setAccessibleName(tr("reason of the pause"));
   reason_->setEditable(true);
   reason_->addItems({tr("patient asked"), tr("coil too warm"), tr("position lost"), tr("equipment")});
   reason_->setToolTip(tr("why the treatment is paused"));
@@ -87,6 +88,7 @@ QWidget* SessionPanel::makeAdverse() {
   auto* bar = new QWidget(this);
   auto* row = rowIn(bar);
   auto* words = new QLineEdit(bar);
+  words->setAccessibleName(tr("adverse event"));
   words->setPlaceholderText(tr("adverse event"));
   words->setToolTip(tr("what happened, in words; kept in the session's log and report"));
   auto* note = new QPushButton(tr("Note"), bar);
@@ -105,6 +107,7 @@ QWidget* SessionPanel::makeSource() {
   auto* bar = new QWidget(this);
   auto* row = rowIn(bar);
   source_ = new QLineEdit(bar);
+  source_->setAccessibleName(tr("pulses from"));
   source_->setPlaceholderText(tr("pulses: keyboard alone"));
   source_->setToolTip(tr("where pulses come from beside the key P: %1. It only listens; nothing is fired.")
                           .arg(QString::fromStdString(links::pulseSourceWords())));
@@ -124,6 +127,7 @@ QWidget* SessionPanel::makeSound() {
   sound_->setChecked(!sounds_.isMuted());
   sound_->setToolTip(tr("falling: lost; one tone: near the target; rising: on target; click: a pulse"));
   auto* volume = new QSlider(Qt::Horizontal, bar);
+  volume->setAccessibleName(tr("volume of the tones"));
   volume->setRange(0, 100);
   volume->setValue(int(100 * sounds_.volume()));
   volume->setToolTip(tr("volume of the tones"));

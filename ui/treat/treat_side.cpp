@@ -79,6 +79,7 @@ TreatSide::TreatSide(TreatPresenter& treat, MotorPresenter& motor, CheckPresente
 
 QTabBar* TreatSide::makeTabs() {
   auto* tabs = new QTabBar(this);
+  tabs->setAccessibleName(tr("tools"));
   tabs->setExpanding(false);
   tabs->setDrawBase(false);
   const std::pair<QString, QString> tools[] = {

@@ -28,6 +28,13 @@ namespace {
 
 constexpr int kPageRefresh_ms = 33;
 
+/// Words of the third step while it guides, after a stop, and before the start.
+QStringList guideWords() {
+  const QString open(QChar(0x25cb)), live(QChar(0x25cf));
+  return {TreatWorkspace::tr("3 Guide %1  stop").arg(live), TreatWorkspace::tr("3 Guide %1  go on").arg(open),
+          TreatWorkspace::tr("3 Guide %1  start").arg(open)};
+}
+
 }  // namespace
 
 TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWidget* parent)
@@ -82,6 +89,9 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&model_, &CaseModel::opened, this, markOutdated);
   connect(&model_, &CaseModel::planChanged, this, markOutdated);
   connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, [this] {
+    if (isVisible()) keepWidthOf(guideWords(), *guide_);
+  });
   showSteps();
   showStage(!presenter_.hasRecording());
 }
@@ -139,6 +149,7 @@ void TreatWorkspace::makeStepButtons(QWidget* bar) {
 
 void TreatWorkspace::makeChoices(QWidget* bar) {
   target_ = new QComboBox(bar);
+  target_->setAccessibleName(tr("target"));
   target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   target_->setMinimumContentsLength(9);
   coil_ = new QComboBox(bar);
@@ -188,7 +199,7 @@ void TreatWorkspace::showPreview() {
 }
 
 void TreatWorkspace::showSteps() {
-  const QString done(QChar(0x2713)), open(QChar(0x25cb)), live(QChar(0x25cf)), wrong(QChar(0x2715));
+  const QString done(QChar(0x2713)), open(QChar(0x25cb)), wrong(QChar(0x2715));
   shows_moved_ = hasMoved();
   setWords(*cameras_, tr("1 Cameras %1").arg(shows_moved_ ? wrong : presenter_.hasRecording() ? done : open));
   setWords(*align_, tr("2 Align %1").arg(presenter_.isAligned() ? done : open));
@@ -198,8 +209,7 @@ void TreatWorkspace::showSteps() {
   const bool has_aligned = presenter_.isAligned() && !shows_aligned_;
   shows_aligned_ = presenter_.isAligned();
   if (has_begun || has_aligned) showStage(false);
-  const QStringList guide_words{tr("3 Guide %1  stop").arg(live), tr("3 Guide %1  go on").arg(open),
-                                tr("3 Guide %1  start").arg(open)};
+  const QStringList guide_words = guideWords();
   setWords(*guide_, guide_words[presenter_.isGuiding() ? 0 : shows_running_ ? 1 : 2]);
   keepWidthOf(guide_words, *guide_);
   end_->setVisible(presenter_.hasSession());
@@ -314,6 +324,7 @@ void TreatWorkspace::followState(const std::shared_ptr<const session::Navigation
 void TreatWorkspace::showEvent(QShowEvent*) {
   signature_.clear();
   showCase();
+  keepWidthOf(guideWords(), *guide_);  // the text size may have changed
   field_.readChoices();
   timer_.start();
 }

@@ -24,8 +24,7 @@ namespace {
 constexpr double kEdge_mm = 20.0, kHalfHeight_mm = 1.18 * kEdge_mm;
 constexpr double kStroke_mm_per_deg = 1.0;
 
-vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& colour, double opacity,
-                               double depth) {
+vtkSmartPointer<vtkActor> disk(double inner, double outer, double opacity, double depth) {
   vtkNew<vtkDiskSource> source;
   source->SetInnerRadius(inner);
   source->SetOuterRadius(outer);
@@ -35,20 +34,18 @@ vtkSmartPointer<vtkActor> disk(double inner, double outer, const palette::Rgb& c
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(0, 0, depth);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->SetOpacity(opacity);
   actor->GetProperty()->LightingOff();
   return actor;
 }
 
 /// Makes a bar from (0,0) along +x, length 1, width 1; scaled and rotated per frame.
-vtkSmartPointer<vtkActor> bar(const palette::Rgb& colour, double depth) {
+vtkSmartPointer<vtkActor> bar(double depth) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(makeRectangle({0, -0.5}, {1, 0.5}));
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(0, 0, depth);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -69,16 +66,19 @@ void colourAll(std::initializer_list<vtkActor*> actors, const palette::Rgb& colo
 
 struct BullsEye::Implementation {
   vtkNew<vtkRenderer> renderer;
-  vtkSmartPointer<vtkActor> zone, rim, centre, coil_ring, stroke, stroke_end, twist;
+  DialColours colours;
+  vtkSmartPointer<vtkActor> dial, zone, rim, centre, coil_ring, stroke, stroke_end, twist;
+  std::array<vtkSmartPointer<vtkActor>, 3> rings;
+  bool has_values = false, is_on_target = false;
   std::array<vtkSmartPointer<vtkActor>, 4> cross;
   vtkSmartPointer<vtkRenderWindow> offscreen;
 
   Implementation();
   void place(const guidance::GuidanceValues& values);
+  void colour();
 };
 
 BullsEye::Implementation::Implementation() {
-  renderer->SetBackground(palette::kPanel.data());
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(kHalfHeight_mm);
@@ -86,21 +86,36 @@ BullsEye::Implementation::Implementation() {
   camera->SetFocalPoint(0, 0, 0);
   camera->SetClippingRange(1, 200);
   renderer->InteractiveOff();
-  renderer->AddActor(disk(0, kEdge_mm, palette::kBackground, 1.0, 0));
-  for (double radius : {5.0, 10.0, 15.0})
-    renderer->AddActor(disk(radius - 0.08, radius + 0.08, palette::kLine, 1.0, 0.1));
-  rim = disk(kEdge_mm - 0.35, kEdge_mm, palette::kMuted, 1.0, 0.2);
-  zone = disk(0, 2.0, palette::kOrange, 0.30, 0.3);
-  centre = disk(0, 0.55, palette::kOrange, 1.0, 0.4);
-  coil_ring = disk(2.6, 3.3, palette::kText, 1.0, 1.0);
-  stroke = bar(palette::kText, 0.9);
-  stroke_end = disk(0, 0.75, palette::kText, 1.0, 0.95);
-  twist = bar(palette::kText, 0.8);
-  for (auto& arm : cross) arm = bar(palette::kText, 1.0);
+  dial = disk(0, kEdge_mm, 1.0, 0);
+  renderer->AddActor(dial);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const double radius = 5.0 * double(i + 1);
+    rings[i] = disk(radius - 0.08, radius + 0.08, 1.0, 0.1);
+    renderer->AddActor(rings[i]);
+  }
+  rim = disk(kEdge_mm - 0.35, kEdge_mm, 1.0, 0.2);
+  zone = disk(0, 2.0, 0.30, 0.3);
+  centre = disk(0, 0.55, 1.0, 0.4);
+  coil_ring = disk(2.6, 3.3, 1.0, 1.0);
+  stroke = bar(0.9);
+  stroke_end = disk(0, 0.75, 1.0, 0.95);
+  twist = bar(0.8);
+  for (auto& arm : cross) arm = bar(1.0);
   for (vtkActor* actor :
        {rim.Get(), zone.Get(), centre.Get(), coil_ring.Get(), stroke.Get(), stroke_end.Get(), twist.Get()})
     renderer->AddActor(actor);
   for (auto& arm : cross) renderer->AddActor(arm);
+}
+
+void BullsEye::Implementation::colour() {
+  renderer->SetBackground(colours.around[0], colours.around[1], colours.around[2]);
+  colourAll({dial}, colours.dial);
+  for (auto& ring : rings) colourAll({ring}, colours.lines);
+  colourAll({coil_ring, stroke, stroke_end, twist}, colours.coil);
+  for (auto& arm : cross) colourAll({arm}, colours.coil);
+  colourAll({zone, centre, rim}, !has_values    ? colours.lines
+                                 : is_on_target ? colours.on_target
+                                                : colours.adjust);
 }
 
 void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
@@ -127,21 +142,24 @@ void BullsEye::Implementation::place(const guidance::GuidanceValues& values) {
 BullsEye::BullsEye() : implementation_(std::make_unique<Implementation>()) { set({}); }
 BullsEye::~BullsEye() = default;
 
+void BullsEye::setColours(const DialColours& colours) {
+  implementation_->colours = colours;
+  implementation_->colour();
+}
+
 void BullsEye::setTolerance(const guidance::Tolerance& tolerance) {
   implementation_->zone->SetScale(tolerance.lateral_mm / 2.0, tolerance.lateral_mm / 2.0, 1.0);
 }
 
 void BullsEye::set(const guidance::GuidanceState& guidance) {
   auto& b = *implementation_;
-  const bool has_values = guidance.values.has_value() && guidance.state != guidance::State::lost;
+  b.has_values = guidance.values.has_value() && guidance.state != guidance::State::lost;
+  b.is_on_target = guidance.state == guidance::State::on_target;
   for (vtkActor* actor : {b.coil_ring.Get(), b.stroke.Get(), b.stroke_end.Get(), b.twist.Get()})
-    actor->SetVisibility(has_values);
-  for (auto& arm : b.cross) arm->SetVisibility(has_values);
-  const bool is_on_target = guidance.state == guidance::State::on_target;
-  colourAll({b.zone, b.centre, b.rim}, !has_values    ? palette::kLine
-                                       : is_on_target ? palette::kBlue
-                                                      : palette::kOrange);
-  if (has_values) b.place(*guidance.values);
+    actor->SetVisibility(b.has_values);
+  for (auto& arm : b.cross) arm->SetVisibility(b.has_values);
+  b.colour();
+  if (b.has_values) b.place(*guidance.values);
 }
 
 void BullsEye::fit(int width_px, int height_px) {

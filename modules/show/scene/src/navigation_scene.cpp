@@ -266,6 +266,11 @@ void NavigationScene::setOnTarget(bool is_on_target) {
   s.targets.setColours(s.is_grey, is_on_target);
 }
 
+void NavigationScene::setBackground(const palette::Rgb& bottom, const palette::Rgb& top) {
+  implementation_->renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+  implementation_->renderer->SetBackground2(top[0], top[1], top[2]);
+}
+
 void NavigationScene::setBanner(const std::string& words) { implementation_->banner.setWords(words); }
 
 void NavigationScene::setTextScale(double scale) {

@@ -10,11 +10,18 @@
 
 #include "facenav/core/rgb_image.h"
 #include "facenav/guidance/guidance.h"
+#include "facenav/scene/palette.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace facenav::scene {
+
+/// Colours of the dial. The defaults are those of all pictures.
+struct DialColours {
+  palette::Rgb around = palette::kPanel, dial = palette::kBackground, lines = palette::kLine,
+               coil = palette::kText, on_target = palette::kBlue, adjust = palette::kOrange;
+};
 
 class BullsEye {
  public:
@@ -23,6 +30,7 @@ class BullsEye {
   BullsEye(const BullsEye&) = delete;
   BullsEye& operator=(const BullsEye&) = delete;
 
+  void setColours(const DialColours& colours);
   void setTolerance(const guidance::Tolerance& tolerance);
   /// Draws the values. Values beyond the dial's range (20 mm) are drawn at the edge.
   void set(const guidance::GuidanceState& guidance);

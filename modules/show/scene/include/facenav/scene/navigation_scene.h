@@ -72,6 +72,8 @@ class NavigationScene {
   void setCoilGhost(const std::optional<RigidTransform<Mri, Target>>& mri_T_target);
 
   // The user's choices.
+  /// Colours of the background, from the bottom to the top. The scene's words are white in any of them.
+  void setBackground(const palette::Rgb& bottom, const palette::Rgb& top);
   /// Sets the size of all text in the scene, as a factor of the usual one. Takes effect with attach() and
   /// render().
   void setTextScale(double scale);

@@ -1,0 +1,32 @@
+#pragma once
+// Every page of the window, and a case that fills them: for tests that look at all of them.
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+class QAbstractButton;
+class QString;
+class QWidget;
+
+namespace facenav::ui {
+class MainWindow;
+}
+
+namespace facenav::ui::fixtures {
+
+struct Page {
+  const char* name;
+  std::function<void(MainWindow&)> show;
+};
+
+/// In the order of the clinic's path. To be shown in a window with an open case.
+std::vector<Page> everyPage();
+
+/// The visible button with these words; null: none.
+QAbstractButton* buttonWith(QWidget& in, const QString& words);
+
+/// Writes a case with findings, three targets and two sessions; returns its folder.
+std::filesystem::path writeFullCase(const std::filesystem::path& folder);
+
+}  // namespace facenav::ui::fixtures
