@@ -3,6 +3,7 @@
 #   ./facenav.sh demo [-o DIR]   the whole path on the virtual patient (default: facenav_demo)
 #   ./facenav.sh test            the tests of every module, under a virtual display (some minutes)
 #   ./facenav.sh package         the Debian packages and the archive that runs from any folder, in build/release/packages
+#   ./facenav.sh manual [--no-pictures]  the manual as a site that can be searched and as a PDF, in build/release/manual
 #   ./facenav.sh test --package  those packages: contents, start, demo, removal; without root
 #   ./facenav.sh test --full     the long ones: real heads, live sessions, accuracy, the demo's path
 #   ./facenav.sh check           before a commit: format and clang-tidy on what changed, layers, fast tests under sanitizers
@@ -31,7 +32,9 @@ packages=(
 check_packages=(clang-tidy git)
 package_packages=(dpkg-dev fakeroot binutils file)
 package_test_packages=(lintian desktop-file-utils shared-mime-info unzip bc)
-test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk dicom3tools libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel python3-socketio python3-aiohttp)
+manual_packages=(python3-sphinx python3-myst-parser weasyprint python3-pil)
+test_packages=(clang-format libgtest-dev libgmock-dev libapriltag-dev dcm2niix dcmtk dicom3tools libgdcm-tools libopenigtlink-dev opencv-doc snakemake python3-skimage python3-nibabel python3-socketio python3-aiohttp
+  python3-sphinx python3-myst-parser)
 
 say() { printf 'facenav: %s\n' "$*"; }
 fail() { printf 'facenav: %s\n' "$*" >&2; exit 1; }
@@ -157,6 +160,35 @@ run_benchmarks() {  # those whose name contains $1
   say "written: $root/out/benchmarks.md"
 }
 
+# The manual's pictures: a robot walks through the window (testing/walk), on the virtual patient.
+make_manual_pictures() {  # FOLDER
+  rm -rf "$1" && mkdir -p "$1"
+  if [ ! -d "$FACENAV_CACHE/brainbrowser" ] && [ ! -d "$FACENAV_CACHE/virtual_patient" ]; then
+    say "the virtual patient's MRI is missing ('./facenav.sh demo' fetches it): the manual is made without pictures"
+    return
+  fi
+  build ON facenav facenav-lab walk_test
+  "$binaries/facenav" demo --only-patient >"$log" 2>&1 || { say "the virtual patient's MRI cannot be read: the manual is made without pictures"; return; }
+  say "making the manual's pictures (some minutes)"
+  FACENAV_GUI_PICTURES="$1" xvfb-run -a -s '-screen 0 1920x1200x24 -noreset' "$binaries/walk_test" --gtest_brief=1 \
+    --gtest_filter='Walk.The*:Walk.A*Person*:Walk.AnEngineer*:Walk.AClinician*' >"$log" 2>&1 ||
+    say "the walk through the window found a fault (see $log): pictures may be missing"
+}
+
+make_manual() {  # [--no-pictures]
+  local out=$root/build/release/manual
+  set_up "${packages[@]}" "${manual_packages[@]}"
+  local pictures=()
+  if [ "${1:-}" != --no-pictures ]; then
+    install_packages "${test_packages[@]}"
+    make_manual_pictures "$out/pictures"
+    pictures=(--pictures "$out/pictures")
+  fi
+  say "making the manual"
+  resources/manual/make_manual.py "$out" "${pictures[@]}" --pdf >"$log" 2>&1 || explain "making the manual"
+  say "made: $out/html/index.html and facenav-manual.pdf ($(tail -n 1 "$log"))"
+}
+
 make_packages() {
   set_up "${packages[@]}" "${package_packages[@]}"
   build "$(tests_wanted)" facenav facenav-bids facenav-gui facenav-lab
@@ -246,6 +278,10 @@ case "${1:-}" in
     make_packages
     for file in build/release/packages/*; do say "made: $root/$file ($(du -h "$file" | cut -f1))"; done
     ;;
+  manual)
+    shift
+    make_manual "$@"
+    ;;
   gui)
     shift
     set_up "${packages[@]}"
@@ -254,7 +290,7 @@ case "${1:-}" in
     cd "$caller" && exec "$binaries/facenav-gui" "$@"
     ;;
   '' | help)
-    sed -n '2,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     ;;
   demo | simulate | evaluate)  # the laboratory; without the window
     set_up "${packages[@]}" python3-skimage

@@ -16,6 +16,10 @@ install(FILES ${files}/facenav.desktop DESTINATION share/applications COMPONENT 
 install(FILES ${files}/facenav.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT clinic)
 install(FILES ${files}/facenav.xml DESTINATION share/mime/packages COMPONENT clinic)
 install(DIRECTORY resources/doc/ DESTINATION share/doc/facenav/manual COMPONENT clinic FILES_MATCHING PATTERN *.md)
+# The manual's site with its pictures, and the PDF, where `./facenav.sh manual` made them.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/html DESTINATION share/doc/facenav/manual COMPONENT clinic OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/manual/facenav-manual.pdf DESTINATION share/doc/facenav/manual COMPONENT clinic OPTIONAL)
+install(FILES ${files}/lintian-overrides DESTINATION share/lintian/overrides RENAME facenav COMPONENT clinic)
 install(DIRECTORY ${made}/clinic/ DESTINATION share COMPONENT clinic OPTIONAL)
 install(DIRECTORY ${made}/lab/ DESTINATION share COMPONENT lab OPTIONAL)
 

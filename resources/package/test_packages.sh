@@ -32,6 +32,13 @@ check "it needs less than 60 MB ($size_kb kB)" test "$size_kb" -lt 60000
 lintian "$deb" "$lab" >"$place/lintian" 2>/dev/null
 check "lintian finds no error and warns of nothing" bash -c '! grep "^[EW]:" "$1"' _ "$place/lintian"
 
+if holds ./usr/share/doc/facenav/manual/html/index.html; then
+  check "the manual's site comes with its search" holds ./usr/share/doc/facenav/manual/html/searchindex.js
+  check "and as a PDF" holds ./usr/share/doc/facenav/manual/facenav-manual.pdf
+else
+  printf 'skipped the manual as a site: ./facenav.sh manual was not run before\n'
+fi
+
 dpkg-deb -x "$deb" "$root"
 check "the desktop entry is valid" desktop-file-validate "$root/usr/share/applications/facenav.desktop"
 check "the MIME types are valid" update-mime-database "$root/usr/share/mime"

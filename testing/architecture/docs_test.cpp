@@ -178,6 +178,52 @@ TEST(Manual, EveryLinkLeadsToAFileAndAHeading) {
       EXPECT_EQ(faultOf(link, page), "") << page << ": " << link;
 }
 
+/// Titles of the banners that withhold a pose: "CAMERAS MOVED: calibrate them again".
+std::set<std::string> bannerTitles() {
+  static const std::regex kTitle("\"([A-Z][A-Z' ]{3,}): [^\"]*[a-z%]");
+  static const std::set<std::string> kGuidance{"ADJUST", "ALIGNING", "LOST",    "ON TARGET",
+                                               "PAUSED", "READY",    "STARTING"};
+  std::set<std::string> titles;
+  for (const auto* folder : {"modules/treat", "modules/steps/treat", "ui/treat"})
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      for (const auto& title : matches(readText(entry.path()), kTitle))
+        if (!kGuidance.count(title)) titles.insert(title);
+    }
+  return titles;
+}
+
+TEST(Manual, EveryBannerHasItsCauseAndItsCure) {
+  const auto page = readText(kManual / "messages.md");
+  const auto titles = bannerTitles();
+  EXPECT_GT(titles.size(), 25u);
+  for (const auto& title : titles)
+    EXPECT_TRUE(std::regex_search(page, std::regex("\\| \\*\\*" + title + "\\*\\* \\| [^|]+ \\| [^|]+ \\|")))
+        << title << " is missing in resources/doc/messages.md";
+}
+
+/// A picture is named by the walk that makes it: JOB_LOOK_STEP, with _ in place of blanks.
+TEST(Manual, EveryPictureThatAPageAsksForIsAStepOfAWalk) {
+  static const std::regex kPicture("<!-- picture: (\\S+) .+ -->"), kStep("\"([a-z -]+)\",\\s+Page::");
+  std::set<std::string> steps;
+  for (const auto& entry : fs::directory_iterator(kRoot / "testing" / "walk"))
+    if (entry.path().extension() == ".cpp")
+      for (auto step : matches(readText(entry.path()), kStep)) {
+        std::replace(step.begin(), step.end(), ' ', '_');
+        steps.insert(step);
+      }
+  int asked = 0;
+  for (const auto& page : pages())
+    for (const auto& picture : matches(readText(page), kPicture)) {
+      ++asked;
+      const bool is_step = std::any_of(steps.begin(), steps.end(), [&](const std::string& step) {
+        return picture.size() > step.size() && picture.substr(picture.size() - step.size() - 1) == "_" + step;
+      });
+      EXPECT_TRUE(is_step) << page << ": " << picture;
+    }
+  EXPECT_GE(asked, 12);
+}
+
 TEST(Manual, TheReadmeIsOneScreen) { EXPECT_LE(linesOf(readText(kRoot / "README.md")).size(), 70u); }
 
 }  // namespace
