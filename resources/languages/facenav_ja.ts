@@ -11284,7 +11284,7 @@
     </message>
     <message>
         <source>%1 weak</source>
-        <translation>%1 追跡不安定</translation>
+        <translation>%1 不安定</translation>
     </message>
     <message>
         <source>%1 tracked</source>
@@ -11426,7 +11426,7 @@
     </message>
     <message>
         <source>Calling the archive</source>
-        <translation>アーカイブに接続しています</translation>
+        <translation>アーカイブへの接続</translation>
     </message>
     <message>
         <source>✓ the archive answers and knows us</source>
@@ -11434,7 +11434,7 @@
     </message>
     <message>
         <source>Asking the archive</source>
-        <translation>アーカイブに問い合わせています</translation>
+        <translation>アーカイブへの問い合わせ</translation>
     </message>
     <message>
         <source>nothing in the archive matches</source>
@@ -11446,7 +11446,7 @@
     </message>
     <message>
         <source>Fetching</source>
-        <translation>取得しています</translation>
+        <translation>取得</translation>
     </message>
     <message>
         <source>✓ %1 images fetched: in the worklist&apos;s queue</source>
@@ -11477,7 +11477,7 @@
     </message>
     <message>
         <source>its title</source>
-        <translation>アーカイブの AE タイトル</translation>
+        <translation>AE タイトル</translation>
     </message>
     <message>
         <source>its application entity title</source>
@@ -11905,7 +11905,7 @@
     </message>
     <message>
         <source>Opening the cameras</source>
-        <translation>カメラを開いています</translation>
+        <translation>カメラの起動</translation>
     </message>
     <message>
         <source>recording, at its end</source>
@@ -11929,7 +11929,7 @@
     </message>
     <message>
         <source>Taking the picture</source>
-        <translation>撮影しています</translation>
+        <translation>撮影</translation>
     </message>
 </context>
 <context>
@@ -12079,7 +12079,7 @@
     <name>facenav::ui::ChosenCameras</name>
     <message>
         <source>Looking for cameras</source>
-        <translation>カメラを探しています</translation>
+        <translation>カメラの検索</translation>
     </message>
     <message>
         <source>there is no rig called %1</source>
@@ -12227,7 +12227,7 @@
     <name>facenav::ui::CortexPresenter</name>
     <message>
         <source>Making the cortex</source>
-        <translation>皮質を作成しています</translation>
+        <translation>皮質の作成</translation>
     </message>
     <message>
         <source>no brain model in this case</source>
@@ -12626,7 +12626,7 @@
     </message>
     <message>
         <source>Saving the corrected brain</source>
-        <translation>修正した脳を保存しています</translation>
+        <translation>修正した脳の保存</translation>
     </message>
     <message>
         <source>no case open</source>
@@ -13116,7 +13116,7 @@
     </message>
     <message>
         <source>begins</source>
-        <translation>開始しています</translation>
+        <translation>開始</translation>
     </message>
     <message>
         <source>Electric field with the fluid</source>
@@ -13362,7 +13362,7 @@
     <name>facenav::ui::HomePresenter</name>
     <message>
         <source>Opening</source>
-        <translation>開いています</translation>
+        <translation>症例の読み込み</translation>
     </message>
     <message>
         <source>START</source>
@@ -13442,11 +13442,11 @@
     </message>
     <message>
         <source>Measuring the face</source>
-        <translation>顔を計測しています</translation>
+        <translation>顔の計測</translation>
     </message>
     <message>
         <source>Starting</source>
-        <translation>開始しています</translation>
+        <translation>開始</translation>
     </message>
     <message>
         <source>The coil&apos;s calibration is old or not recorded: tell the clinic.</source>
@@ -13454,7 +13454,7 @@
     </message>
     <message>
         <source>Closing</source>
-        <translation>閉じています</translation>
+        <translation>終了処理</translation>
     </message>
 </context>
 <context>
@@ -13714,7 +13714,7 @@
     <name>facenav::ui::ImportPresenter</name>
     <message>
         <source>Reading the files</source>
-        <translation>ファイルを読み込んでいます</translation>
+        <translation>ファイルの読み込み</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -14031,7 +14031,7 @@
     </message>
     <message>
         <source>&amp;Read DICOM folder…</source>
-        <translation>DICOM フォルダーを読み込む(&amp;R)…</translation>
+        <translation>DICOM フォルダーを読む(&amp;R)…</translation>
     </message>
     <message>
         <source>I&amp;mport targets from another navigator…</source>
@@ -14411,11 +14411,11 @@ Review</source>
     <name>facenav::ui::OverlayPresenter</name>
     <message>
         <source>Reading the overlays</source>
-        <translation>オーバーレイを読み込んでいます</translation>
+        <translation>オーバーレイの読み込み</translation>
     </message>
     <message>
         <source>Adding an overlay</source>
-        <translation>オーバーレイを追加しています</translation>
+        <translation>オーバーレイの追加</translation>
     </message>
     <message>
         <source>an overlay is being read; wait a moment</source>
@@ -14895,7 +14895,7 @@ Review</source>
     </message>
     <message>
         <source>Looking for series</source>
-        <translation>シリーズを探しています</translation>
+        <translation>シリーズの検索</translation>
     </message>
     <message>
         <source>patient %1</source>
@@ -14915,7 +14915,7 @@ Review</source>
     </message>
     <message>
         <source>Opening the case</source>
-        <translation>症例を開いています</translation>
+        <translation>症例の読み込み</translation>
     </message>
     <message>
         <source>voxels %1 x %2 x %3 mm</source>
@@ -14962,7 +14962,7 @@ Review</source>
     </message>
     <message>
         <source>Preparing</source>
-        <translation>準備しています</translation>
+        <translation>準備</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -15322,7 +15322,7 @@ Review</source>
     </message>
     <message>
         <source>Reading a picture</source>
-        <translation>画像を読み込んでいます</translation>
+        <translation>画像の読み込み</translation>
     </message>
     <message>
         <source>no picture was kept of this frame</source>
@@ -15330,7 +15330,7 @@ Review</source>
     </message>
     <message>
         <source>Reading the recording</source>
-        <translation>記録を読み込んでいます</translation>
+        <translation>記録の読み込み</translation>
     </message>
     <message>
         <source>on target</source>
@@ -15365,7 +15365,7 @@ Review</source>
     </message>
     <message>
         <source>Making the report</source>
-        <translation>レポートを作成しています</translation>
+        <translation>レポートの作成</translation>
     </message>
     <message>
         <source>Write PDF keeps this as report.pdf and report.html, with pictures of the pulses, and pulses.csv.</source>
@@ -15376,7 +15376,7 @@ Review</source>
     <name>facenav::ui::ReturnPanel</name>
     <message>
         <source>Go on with it</source>
-        <translation>このセッションを続ける</translation>
+        <translation>このまま続ける</translation>
     </message>
     <message>
         <source>keeps counting in the same session, on its own alignment; guidance comes when two seconds of measuring have shown that the face still fits it</source>
@@ -15446,11 +15446,11 @@ Review</source>
     <name>facenav::ui::ReviewPresenter</name>
     <message>
         <source>Reading the sessions</source>
-        <translation>セッションを読み込んでいます</translation>
+        <translation>セッション一覧の読み込み</translation>
     </message>
     <message>
         <source>Reading the session</source>
-        <translation>セッションを読み込んでいます</translation>
+        <translation>セッションの読み込み</translation>
     </message>
     <message>
         <source>report.pdf, report.html and pulses.csv are in %1</source>
@@ -15626,18 +15626,18 @@ Review</source>
     </message>
     <message>
         <source>pulses of?</source>
-        <translation>照射は?</translation>
+        <translation>どちらが照射?</translation>
     </message>
 </context>
 <context>
     <name>facenav::ui::SeriesPage</name>
     <message>
         <source>Read DICOM folder…</source>
-        <translation>DICOM フォルダーを読み込む…</translation>
+        <translation>DICOM フォルダーを読む…</translation>
     </message>
     <message>
         <source>Read NIfTI file…</source>
-        <translation>NIfTI ファイルを読み込む…</translation>
+        <translation>NIfTI ファイルを読む…</translation>
     </message>
     <message>
         <source>list the series under a folder (Ctrl+I); or drop a folder anywhere</source>
@@ -15681,11 +15681,11 @@ Review</source>
     </message>
     <message>
         <source>Read DICOM folder</source>
-        <translation>DICOM フォルダーを読み込む</translation>
+        <translation>DICOM フォルダーを読む</translation>
     </message>
     <message>
         <source>Read NIfTI</source>
-        <translation>NIfTI を読み込む</translation>
+        <translation>NIfTI を読む</translation>
     </message>
     <message>
         <source>NIfTI (%1)</source>
@@ -15994,7 +15994,7 @@ Review</source>
     <name>facenav::ui::SetupPresenter</name>
     <message>
         <source>Looking for cameras</source>
-        <translation>カメラを探しています</translation>
+        <translation>カメラの検索</translation>
     </message>
     <message>
         <source>the cameras are not open: see what is written below the fields</source>
@@ -16034,7 +16034,7 @@ Review</source>
     </message>
     <message>
         <source>Opening the cameras</source>
-        <translation>カメラを開いています</translation>
+        <translation>カメラの起動</translation>
     </message>
     <message>
         <source>room 1</source>
@@ -16517,11 +16517,11 @@ Review</source>
     </message>
     <message>
         <source>Signing off</source>
-        <translation>承認しています</translation>
+        <translation>承認</translation>
     </message>
     <message>
         <source>Rejecting the scan</source>
-        <translation>スキャンを却下しています</translation>
+        <translation>スキャンの却下</translation>
     </message>
 </context>
 <context>
@@ -16575,7 +16575,7 @@ Review</source>
     </message>
     <message>
         <source>%1 weak</source>
-        <translation>%1 追跡不安定</translation>
+        <translation>%1 不安定</translation>
     </message>
     <message>
         <source>%1 tracked</source>
@@ -16868,7 +16868,7 @@ Review</source>
     </message>
     <message>
         <source>Opening the recording</source>
-        <translation>記録を開いています</translation>
+        <translation>記録の読み込み</translation>
     </message>
     <message>
         <source>OPENING THE RECORDING</source>
@@ -16880,7 +16880,7 @@ Review</source>
     </message>
     <message>
         <source>Aligning the head</source>
-        <translation>頭の位置合わせをしています</translation>
+        <translation>頭の位置合わせ</translation>
     </message>
     <message>
         <source>ALIGNING: the face is measured and fitted to the scan</source>
@@ -16888,7 +16888,7 @@ Review</source>
     </message>
     <message>
         <source>Going on with the session</source>
-        <translation>セッションを続けます</translation>
+        <translation>セッションの再開</translation>
     </message>
     <message>
         <source>ALIGNING: the face is fitted as in that session</source>
@@ -16900,7 +16900,7 @@ Review</source>
     </message>
     <message>
         <source>Starting the trackers</source>
-        <translation>追跡を開始しています</translation>
+        <translation>追跡の開始</translation>
     </message>
     <message>
         <source>STARTING: the trackers get ready</source>
@@ -16990,7 +16990,7 @@ Review</source>
     </message>
     <message>
         <source>CAMERAS moved</source>
-        <translation>カメラ ずれあり</translation>
+        <translation>カメラ 動きあり</translation>
     </message>
     <message>
         <source>CAMERAS ready</source>
@@ -17321,7 +17321,7 @@ Review</source>
     </message>
     <message>
         <source>Reading the worklist</source>
-        <translation>ワークリストを読み込んでいます</translation>
+        <translation>ワークリストの読み込み</translation>
     </message>
     <message>
         <source>%1 is no case of this list</source>
