@@ -5685,11 +5685,11 @@
     </message>
     <message>
         <source>the right side of the head is cut by the field of view: no measure over the ears, and targets far to the side lack their scalp</source>
-        <translation>頭の右側が撮像範囲で切れています: 両耳間の計測ができず、外側の標的には頭皮がありません</translation>
+        <translation>患者の頭の右側が撮像範囲で切れています: 両耳間の計測ができず、外側の標的には頭皮がありません</translation>
     </message>
     <message>
         <source>the left side of the head is cut by the field of view: no measure over the ears, and targets far to the side lack their scalp</source>
-        <translation>頭の左側が撮像範囲で切れています: 両耳間の計測ができず、外側の標的には頭皮がありません</translation>
+        <translation>患者の頭の左側が撮像範囲で切れています: 両耳間の計測ができず、外側の標的には頭皮がありません</translation>
     </message>
     <message>
         <source>the top of the head lies within the field of view</source>
@@ -6405,11 +6405,11 @@
     </message>
     <message>
         <source>right side</source>
-        <translation>右側</translation>
+        <translation>患者の右側</translation>
     </message>
     <message>
         <source>left side</source>
-        <translation>左側</translation>
+        <translation>患者の左側</translation>
     </message>
     <message>
         <source>inside -%1 mm      outside +%2 mm    grey: not counted</source>
@@ -6417,19 +6417,19 @@
     </message>
     <message>
         <source>from above (right on the right)</source>
-        <translation>上から (右が右)</translation>
+        <translation>上から (患者の右が図の右)</translation>
     </message>
     <message>
         <source>front (right on the left)</source>
-        <translation>前から (右が左)</translation>
+        <translation>前から (患者の右が図の左)</translation>
     </message>
     <message>
         <source>back (right on the right)</source>
-        <translation>後ろから (右が右)</translation>
+        <translation>後ろから (患者の右が図の右)</translation>
     </message>
     <message>
         <source>from below (right on the left)</source>
-        <translation>下から (右が左)</translation>
+        <translation>下から (患者の右が図の左)</translation>
     </message>
     <message>
         <source>within the phi-theta surface</source>
@@ -8093,7 +8093,7 @@
     </message>
     <message>
         <source>left side of the head</source>
-        <translation>頭の左側</translation>
+        <translation>患者の頭の左側</translation>
     </message>
     <message>
         <source>an ear is</source>
@@ -15342,7 +15342,7 @@ Review</source>
     </message>
     <message>
         <source>lost</source>
-        <translation>喪失</translation>
+        <translation>追跡喪失</translation>
     </message>
 </context>
 <context>
@@ -15724,7 +15724,7 @@ Review</source>
     </message>
     <message>
         <source>position lost</source>
-        <translation>位置ずれ</translation>
+        <translation>位置の喪失</translation>
     </message>
     <message>
         <source>equipment</source>
