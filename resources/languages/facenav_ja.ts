@@ -8257,7 +8257,7 @@
     </message>
     <message>
         <source>%1 left out</source>
-        <translation>除外 %1</translation>
+        <translation>%1 を除外</translation>
     </message>
     <message>
         <source>Coloured by %1: dark %2 %3, bright %4 %5</source>
