@@ -2,37 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja">
 <context>
-    <name></name>
-    <message>
-        <source>%1 came in (Ctrl+Z in Plan takes them back)</source>
-        <translation>%1を取り込みました (計画の画面で Ctrl+Z を押すと取り消せます)</translation>
-    </message>
-    <message>
-        <source>1 target</source>
-        <translation>標的 1 個</translation>
-    </message>
-    <message>
-        <source>%1 targets</source>
-        <translation>標的 %1 個</translation>
-    </message>
-    <message>
-        <source>session of %1</source>
-        <translation>%1 のセッション</translation>
-    </message>
-    <message>
-        <source> with %1</source>
-        <translation> (%1)</translation>
-    </message>
-    <message>
-        <source>1 pulse</source>
-        <translation>パルス 1 回</translation>
-    </message>
-    <message>
-        <source>%1 pulses</source>
-        <translation>パルス %1 回</translation>
-    </message>
-</context>
-<context>
     <name>QComboBox</name>
     <message>
         <source>no camera found: type an address</source>
@@ -11972,21 +11941,6 @@
     </message>
 </context>
 <context>
-    <name>facenav::ui::Change</name>
-    <message>
-        <source>a number is expected</source>
-        <translation>数値を入力してください</translation>
-    </message>
-    <message>
-        <source>that is no number</source>
-        <translation>数値ではありません</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not taken: %2</source>
-        <translation>&apos;%1&apos; は受け付けられません: %2</translation>
-    </message>
-</context>
-<context>
     <name>facenav::ui::CheckPage</name>
     <message>
         <source>Findings</source>
@@ -16565,25 +16519,6 @@ Review</source>
     <message>
         <source>outside the scan</source>
         <translation>スキャンの外</translation>
-    </message>
-</context>
-<context>
-    <name>facenav::ui::T</name>
-    <message>
-        <source>%1 LOST</source>
-        <translation>%1 追跡喪失</translation>
-    </message>
-    <message>
-        <source>%1 weak</source>
-        <translation>%1 不安定</translation>
-    </message>
-    <message>
-        <source>%1 tracked</source>
-        <translation>%1 追跡中</translation>
-    </message>
-    <message>
-        <source>quality %1</source>
-        <translation>追跡品質 %1</translation>
     </message>
 </context>
 <context>
