@@ -9,6 +9,7 @@ namespace facenav::ui {
 namespace {
 
 constexpr int kDeepest = 3;        // sentences within values of sentences
+constexpr int kShortest = 2;       // letters of a value that is no sentence
 constexpr int kMostParts = 24;     // of one text; a longer one stays English
 const QString kEdges = " ,;:.\n";  // as core_sentences.py trims them
 
@@ -135,7 +136,7 @@ CoreSentences::Part CoreSentences::filled(const Sentence& sentence, const QStrin
   for (const QString& piece : sentence.pieces) out.known += piece.size();
   QStringList shown;
   for (const QString& value : values) {
-    const bool has_words = depth < kDeepest && value.contains(' ');
+    const bool has_words = depth < kDeepest && value.size() > kShortest;
     const Part part = has_words ? best(value, depth + 1) : Part{value, 0};
     // A value with a separator in it is more likely two sentences.
     out.known += part.known - (value.contains(separators()) ? 1 : 0);
