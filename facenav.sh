@@ -26,8 +26,8 @@ packages=(
   libeigen3-dev libspdlog-dev nlohmann-json3-dev libcli11-dev libssl-dev zlib1g-dev
   libvtk9-dev libvtk9-qt-dev libgdcm-dev libdcmtk-dev libnifti-dev libnifti2-dev libgiftiio-dev libdeflate-dev libzip-dev libpugixml-dev libtbb-dev
   libopencv-dev libopencv-contrib-dev opencv-data libaravis-dev libdc1394-dev libasound2-dev libsndfile1-dev
-  libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev libgl1-mesa-dri
-  xvfb xauth mricron-data fonts-dejavu-core
+  libpcl-dev libdlib-dev libdlib-data libembree-dev qtbase5-dev qttools5-dev qttools5-dev-tools libgl1-mesa-dri
+  xvfb xauth mricron-data fonts-dejavu-core fonts-vlgothic qttranslations5-l10n
 )
 check_packages=(clang-tidy git)
 package_packages=(dpkg-dev fakeroot binutils file)

@@ -24,6 +24,7 @@
 #include "settings_flags.h"
 #include "setup/setup_window.h"
 #include "shell/appearance.h"
+#include "shell/language.h"
 #include "shell/main_window.h"
 #include "shell/report_pdf.h"
 #include "shell/screenshot.h"
@@ -150,6 +151,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   if (!arguments.theme.empty())
     ui::rememberTheme(ui::themeChoiceNamed(QString::fromStdString(arguments.theme)));
   ui::useTheme(ui::rememberedTheme());
+  ui::applyLanguage(application, ui::wantedLanguage());
   ui::applyAppearance(application, ui::rememberedTextScale());
   // Starts the shared threads now, at the window's own priority.
   runOnWorkers(coreCount(), [](std::size_t) {});

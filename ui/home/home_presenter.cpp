@@ -5,6 +5,7 @@
 
 #include "facenav/coil_library/coil_library.h"
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 #include "treat/session_end.h"
 
 namespace facenav::ui {
@@ -16,9 +17,11 @@ constexpr double kQuestion_s = 12.0;  // the question to finish stands this long
 
 HomePresenter::HomePresenter(const Services& services, TaskRunner& tasks, QObject* parent)
     : QObject(parent), services_(services), tasks_(tasks), cameras_(services, tasks) {
-  connect(&tasks_, &TaskRunner::failed, this, &HomePresenter::refuse);
+  connect(&tasks_, &TaskRunner::failed, this,
+          [this](const QString& words) { refuse(words, tasks_.failure()); });
   connect(&cameras_, &CamerasPresenter::changed, this, &HomePresenter::changed);
-  connect(&cameras_, &CamerasPresenter::refused, this, &HomePresenter::refuse);
+  connect(&cameras_, &CamerasPresenter::refused, this,
+          [this](const QString& words) { refuse(words, words.toStdString()); });
   cameras_.useCoilOf([this] { return home_ ? home_->coil : coil_tracking::defaultCoil(); });
   // Queued, so that it runs after the task that took the runner.
   connect(
@@ -40,8 +43,8 @@ void HomePresenter::set(Stage stage, const QString& refusal) {
 }
 
 /// Shows the refusal and returns to the stage from which the user can continue.
-void HomePresenter::refuse(const QString& words) {
-  const QString sentence = QString::fromStdString(steps::homeRefusal(Error(words.toStdString())));
+void HomePresenter::refuse(const QString& words, const std::string& failure) {
+  const QString sentence = shownWords(steps::homeRefusal(Error(failure)));
   if (!home_) return set(Stage::unusable, words);
   if (stage_ == Stage::ending) return set(Stage::ended, words);
   set(Stage::sit, sentence);
@@ -67,7 +70,7 @@ void HomePresenter::play(const QString& recording) {
     emit changed();
   } catch (const Error& error) {
     recording_.reset();
-    play_refusal_ = QString::fromUtf8(error.what());
+    play_refusal_ = shownWords(error);
     set(Stage::unusable, play_refusal_);
   }
 }
@@ -254,7 +257,7 @@ bool HomePresenter::save(const QString& file) {
     set(Stage::ended);
     return true;
   } catch (const Error& error) {
-    set(Stage::ended, QString::fromUtf8(error.what()));
+    set(Stage::ended, shownWords(error));
     return false;
   }
 }

@@ -83,7 +83,7 @@ class HomePresenter : public QObject {
   void startTrackers(std::shared_ptr<const steps::AlignmentOutcome> outcome);
   void begin(steps::PreparedTreatment& prepared);
   void finish();
-  void refuse(const QString& words);
+  void refuse(const QString& words, const std::string& failure);
 
   const Services& services_;
   TaskRunner& tasks_;

@@ -18,6 +18,7 @@
 #include "shell/appearance.h"
 #include "shell/help_window.h"
 #include "shell/image_view.h"
+#include "shell/shown_words.h"
 #include "shell/theme.h"
 
 namespace facenav::ui {
@@ -166,7 +167,7 @@ void HomeWindow::refresh() {
     const bool is_asked = presenter_.asksToFinish();
     showSteps(int(advice.step), false);
     sign_->set(is_asked ? steps::HomeSign::none : advice.sign, advice.arrow_rad, advice.is_refused);
-    words_->set(is_asked ? presenter_.words() : QString::fromStdString(advice.words),
+    words_->set(is_asked ? presenter_.words() : shownWords(advice.words),
                 themeColour(advice.is_refused && !is_asked ? Colour::stop_words : Colour::text));
   } else {
     const bool is_refused = !presenter_.refusal().isEmpty();

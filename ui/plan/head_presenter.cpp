@@ -5,6 +5,7 @@
 #include "facenav/core/error.h"
 #include "facenav/plan/case_landmarks.h"
 #include "shell/author.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -35,7 +36,7 @@ void HeadPresenter::attempt(Step step) {
   try {
     step();
   } catch (const std::exception& error) {  // includes errors of the file system
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "plan/other_words.h"
 #include "shell/appearance.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -27,7 +28,7 @@ ImportRow importRowOf(const QTreeWidgetItem& item) {
 /// "Brainsight text export, version 12; 2 refused", or why the file cannot be read.
 QString fileWords(const steps::PreviewedFile& file) {
   if (!file.failure.empty()) return ImportList::tr("cannot be read: %1").arg(inWindowWords(file.failure));
-  QString words = QString::fromStdString(file.preview.file.words);
+  QString words = shownWords(file.preview.file.words);
   if (const int refused = file.preview.count(ItemFate::refused))
     words += ImportList::tr("; %1 refused").arg(refused);
   return words;
@@ -214,8 +215,7 @@ QString ImportList::describe() const {
   QStringList lines;
   if (row.item >= 0) {
     const auto& previewed = file.preview.items[std::size_t(row.item)];
-    lines << tr("%1 (%2): %3")
-                 .arg(row.name, QString::fromStdString(previewed.item.where), fateWords(previewed));
+    lines << tr("%1 (%2): %3").arg(row.name, shownWords(previewed.item.where), fateWords(previewed));
     for (const auto& note : previewed.item.notes) lines << inWindowWords(note);
   } else {
     lines << tr("%1: %2").arg(currentItem()->text(kNameColumn), currentItem()->text(kFateColumn));

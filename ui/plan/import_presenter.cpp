@@ -29,16 +29,18 @@ QString counted(int number, const QString& one, const QString& many) {
 }
 
 QString importedWords(const steps::ImportedItems& imported) {
-  using P = ImportPresenter;
   QStringList parts;
   if (imported.targets > 0)
-    parts << P::tr("%1 came in (Ctrl+Z in Plan takes them back)")
-                 .arg(counted(imported.targets, P::tr("1 target"), P::tr("%1 targets")));
+    parts << ImportPresenter::tr("%1 came in (Ctrl+Z in Plan takes them back)")
+                 .arg(counted(imported.targets, ImportPresenter::tr("1 target"),
+                              ImportPresenter::tr("%1 targets")));
   for (const auto& folder : imported.sessions)
-    parts
-        << P::tr("session of %1").arg(QString::fromStdString(report::localTime(folder.filename().string())));
+    parts << ImportPresenter::tr("session of %1")
+                 .arg(QString::fromStdString(report::localTime(folder.filename().string())));
   if (imported.pulses > 0)
-    parts.back() += P::tr(" with %1").arg(counted(imported.pulses, P::tr("1 pulse"), P::tr("%1 pulses")));
+    parts.back() +=
+        ImportPresenter::tr(" with %1")
+            .arg(counted(imported.pulses, ImportPresenter::tr("1 pulse"), ImportPresenter::tr("%1 pulses")));
   return parts.join("; ");
 }
 

@@ -3,14 +3,14 @@
 #include <QObject>
 #include <QRegularExpression>
 #include <utility>
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
 
 QString stated(const interop::OtherFile& file) {
   const std::string own = file.space_words.empty() ? toString(file.space) : file.space_words;
-  return file.space == interop::Space::unknown && file.space_words.empty() ? QString()
-                                                                           : QString::fromStdString(own);
+  return file.space == interop::Space::unknown && file.space_words.empty() ? QString() : shownWords(own);
 }
 
 QString formWords(interop::Form form) {
@@ -43,7 +43,7 @@ QString inWindowWords(const std::string& words) {
     for (const auto& [pattern, shown] : all) made.emplace_back(QRegularExpression(pattern), shown);
     return made;
   }();
-  QString shown = QString::fromStdString(words);
+  QString shown = shownWords(words);
   for (const auto& [option, choice] : kOptions) shown.replace(option, choice);
   return shown;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -37,7 +38,7 @@ void OverlayPresenter::load() {
                   for (const auto& entry : entries) try {
                       loaded.push_back(steps::loadOverlay(store, entry, mri->grid));
                     } catch (const Error& fault) {
-                      fault_words = QString::fromUtf8(fault.what());
+                      fault_words = shownWords(fault);
                     }
                   return TaskRunner::Delivery([this, subject, entries, loaded, fault_words] {
                     if (subject != subject_) return;
@@ -107,7 +108,7 @@ void OverlayPresenter::remove(const QString& name) {
     entries_ = casefile::readOverlays(model_.current().store.folder());
     forget(name);
   } catch (const std::exception& fault) {
-    emit refused(QString::fromUtf8(fault.what()));
+    emit refused(shownWords(fault));
   }
   emit changed();
 }
@@ -120,7 +121,7 @@ void OverlayPresenter::change(const casefile::OverlayEntry& entry) {
     for (auto& known : entries_)
       if (known.name == entry.name) known = entry;
   } catch (const std::exception& fault) {
-    emit refused(QString::fromUtf8(fault.what()));
+    emit refused(shownWords(fault));
   }
   emit changed();
 }

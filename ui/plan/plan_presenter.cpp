@@ -11,6 +11,7 @@
 #include "facenav/plan/coil_slice_sheet.h"
 #include "plan/typed_coordinates.h"
 #include "shell/author.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -92,7 +93,7 @@ QString PlanPresenter::refusalOf(Edit edit, const QString& name) {
     if (refusal.refusal() == steps::PlanRefusal::name_taken) emit changed();  // shows the old name again
     return wordsOf(refusal, name);
   } catch (const std::exception& error) {  // includes errors of the file system
-    return QString::fromUtf8(error.what());
+    return shownWords(error);
   }
 }
 
@@ -136,16 +137,17 @@ void PlanPresenter::turnActive(double degrees) {
   if (active()) attempt([&] { editor_.turn(degrees * kRadPerDeg); });
 }
 
+// The class is named before tr(): lupdate would take the template's parameter for it.
 template <class Change>
 QString PlanPresenter::setTyped(const QString& typed, const QString& unit, Change change) {
   const auto* target = active();
   if (!target) return {};
   const QString words = typed.trimmed();
-  if (words.isEmpty()) return tr("a number is expected");
+  if (words.isEmpty()) return PlanPresenter::tr("a number is expected");
   const auto number = readNumber(typed, unit);
-  const QString why =
-      number ? refusalOf([&] { editor_.replace(change(*target, *number)); }) : tr("that is no number");
-  return why.isEmpty() ? why : tr("'%1' is not taken: %2").arg(words, why);
+  const QString why = number ? refusalOf([&] { editor_.replace(change(*target, *number)); })
+                             : PlanPresenter::tr("that is no number");
+  return why.isEmpty() ? why : PlanPresenter::tr("'%1' is not taken: %2").arg(words, why);
 }
 
 QString PlanPresenter::setHandle(const QString& typed) {
@@ -255,7 +257,7 @@ QString PlanPresenter::protocolWords() const {
         .arg(protocol->version)
         .arg(protocol->dose.pulses);
   } catch (const Error& fault) {
-    return QString::fromUtf8(fault.what());
+    return shownWords(fault);
   }
 }
 
@@ -324,7 +326,7 @@ QString PlanPresenter::contactWords(const guidance::Target& target) const {
         .arg(contact.lift_mm, 0, 'f', 1)
         .arg(std::lround(contact.tilt_rad * kDegPerRad));
   } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
+    return shownWords(error);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QWidgetAction>
 
 #include "plan/grid_panel.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -58,9 +59,8 @@ QMenu* TargetTools::presetMenu() {
   for (const auto& preset : steps::presets()) {
     const QString name = QString::fromStdString(preset.name);
     const bool is_eeg = name.startsWith("eeg:");
-    auto* action =
-        (is_eeg ? eeg : menu)->addAction(is_eeg ? name.mid(4) : QString::fromStdString(preset.words));
-    action->setToolTip(QString::fromStdString(preset.source));
+    auto* action = (is_eeg ? eeg : menu)->addAction(is_eeg ? name.mid(4) : shownWords(preset.words));
+    action->setToolTip(shownWords(preset.source));
     connect(action, &QAction::triggered, this, [this, name] { addPreset(name); });
   }
   menu->addMenu(eeg);

@@ -9,7 +9,7 @@
 namespace facenav::ui {
 namespace {
 
-QString tr(const char* words) { return QCoreApplication::translate("TypedCoordinates", words); }
+QString tr(const char* words) { return QCoreApplication::translate("facenav::ui", words); }
 
 TypedCoordinates refused(const QString& why) { return {std::nullopt, why}; }
 

@@ -11,6 +11,7 @@
 #include "facenav/editing/slice_interpolation.h"
 #include "facenav/editing/whole_mask_tools.h"
 #include "facenav/prepare/correct_brain.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -58,7 +59,7 @@ void EditPresenter::guarded(Action action) {
   try {
     action();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -86,7 +87,7 @@ void EditPresenter::open() {
     autosave_ = makeAutosave();
   } catch (const Error& error) {
     editor_.reset();
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
   emit maskChanged(false);

@@ -17,7 +17,7 @@ FieldQueue::FieldQueue(const Services& services, QObject* parent) : QObject(pare
   connect(&tasks_, &TaskRunner::cancelled, this, [this] { end(false); });
   connect(&tasks_, &TaskRunner::failed, this, [this](const QString& words) {
     // The planning page then names the local sphere as its model.
-    logWarning("electric field of " + folders_.front().filename().string() + ": " + words.toStdString());
+    logWarning("electric field of " + folders_.front().filename().string() + ": " + tasks_.failure());
     end(true, words);
   });
 }

@@ -5,6 +5,7 @@
 #include "facenav/dicom/patient.h"
 #include "facenav/prepare/finding_place.h"
 #include "facenav/volume/voxel_size.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -78,10 +79,10 @@ void PreparePresenter::makeLines() {
                       .arg(s.spacing_mm.maxCoeff(), 0, 'f', 2)
                       .arg(QString::fromStdString(s.date));
     if (!s.part.empty()) line.title += "  " + QString::fromStdString(s.part);
-    if (!s.fitness.empty()) line.detail += "\n" + QString::fromStdString(s.fitness);
-    if (s.joined) line.detail += "\n" + QString::fromStdString(dicom::inWords(*s.joined));
-    for (const auto& note : s.notes) line.detail += "\n" + QString::fromStdString(note);
-    if (!s.is_loadable) line.detail = tr("not usable: %1").arg(QString::fromStdString(s.problem));
+    if (!s.fitness.empty()) line.detail += "\n" + shownWords(s.fitness);
+    if (s.joined) line.detail += "\n" + shownWords(dicom::inWords(*s.joined));
+    for (const auto& note : s.notes) line.detail += "\n" + shownWords(note);
+    if (!s.is_loadable) line.detail = tr("not usable: %1").arg(shownWords(s.problem));
     line.is_usable = s.is_loadable;
     line.is_recommended = s.is_recommended;
     lines_.push_back(line);
@@ -127,8 +128,8 @@ std::vector<FindingLine> PreparePresenter::findings() const {
       {c.scalp->has_face ? tr("a face to align to") : tr("no face to align to"), !c.scalp->has_face});
   if (c.brain_mask) lines.push_back({tr("brain %1 ml").arg(std::lround(c.brain_mask->volume_ml())), false});
   for (const auto& finding : c.findings)
-    lines.push_back({QString::fromStdString(finding), true,
-                     steps::placeOfFinding(finding, *c.scalp, c.atlas ? &*c.atlas : nullptr)});
+    lines.push_back(
+        {shownWords(finding), true, steps::placeOfFinding(finding, *c.scalp, c.atlas ? &*c.atlas : nullptr)});
   return lines;
 }
 

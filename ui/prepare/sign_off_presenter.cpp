@@ -9,13 +9,14 @@
 #include "facenav/core/log.h"
 #include "facenav/prepare/sign_off_gate.h"
 #include "shell/author.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 SignOffPresenter::SignOffPresenter(CaseModel& model, TaskRunner& tasks, QObject* parent)
     : QObject(parent), model_(model), tasks_(tasks), name_(author()) {
   const auto beginAnew = [this] {
     items_ = QStringList{tr("The outlines follow skin and brain on every slice of the montage")};
-    for (const auto& finding : model_.current().findings) items_ << QString::fromStdString(finding);
+    for (const auto& finding : model_.current().findings) items_ << shownWords(finding);
     seen_.assign(std::size_t(items_.size()), false);
     note_.clear();
     readCheck();
@@ -36,7 +37,7 @@ void SignOffPresenter::readCheck() {
     if (!check) return;
     is_not_usable_ = check->verdict() == surface::Verdict::not_usable;
     for (const auto& finding : check->findings) {
-      const QString ask = QString::fromStdString(finding.ask);
+      const QString ask = shownWords(finding.ask);
       if (finding.verdict != surface::Verdict::fine && !ask.isEmpty() && !asks_.contains(ask)) asks_ << ask;
     }
   } catch (const Error& error) {  // a damaged check: nobody knows that the scan is usable

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -30,7 +31,7 @@ WorklistRow rowOf(const casefile::WorklistEntry& entry) {
     row.state = WorklistPresenter::tr("unreadable");
     row.state_order = 7;
     row.mark = Mark::fault;
-    row.detail = QString::fromStdString(entry.problem);
+    row.detail = shownWords(entry.problem);
     return row;
   }
   row.label = QString::fromStdString(entry.label);
@@ -39,7 +40,7 @@ WorklistRow rowOf(const casefile::WorklistEntry& entry) {
   row.created = fromUtc(entry.created_utc);
   row.findings = int(entry.findings.size());
   row.checked_by = QString::fromStdString(entry.checked_by);
-  if (!entry.findings.empty()) row.detail = QString::fromStdString(entry.findings.front());
+  if (!entry.findings.empty()) row.detail = shownWords(entry.findings.front());
   switch (entry.state) {
     case casefile::CaseState::prepared:
       row.state = WorklistPresenter::tr("prepared");
@@ -180,7 +181,7 @@ void WorklistPresenter::setLabel(const QString& case_folder, const QString& word
     store.setLabel(words.toStdString());
     emit labelled(case_folder, QString::fromStdString(store.label()));
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   refresh();
 }

@@ -1,4 +1,5 @@
 #include "review/chart_painter.h"
+#include "shell/shown_words.h"
 
 #include <QPainter>
 
@@ -31,12 +32,13 @@ QColor colourOf(Ink ink, ChartPaper paper) {
   return themeColour(is_paper ? Colour::paper_excluded : Colour::lost);
 }
 
-void paintWords(QPainter& painter, const ChartShape& s) {
+/// The report stays English, on white paper; the window shows its own language.
+void paintWords(QPainter& painter, const ChartShape& s, ChartPaper paper) {
   QFont font = painter.font();
   font.setPixelSize(s.is_bold ? 13 : 11);
   font.setBold(s.is_bold);
   painter.setFont(font);
-  const QString words = QString::fromStdString(s.text);
+  const QString words = paper == ChartPaper::dark ? shownWords(s.text) : QString::fromStdString(s.text);
   const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(words);
   const double back = s.anchor == ChartShape::Anchor::left     ? 0
                       : s.anchor == ChartShape::Anchor::middle ? width / 2
@@ -44,7 +46,7 @@ void paintWords(QPainter& painter, const ChartShape& s) {
   painter.drawText(QPointF(s.x - back, s.y), words);
 }
 
-void paintShape(QPainter& painter, const ChartShape& s, QColor colour) {
+void paintShape(QPainter& painter, const ChartShape& s, QColor colour, ChartPaper paper) {
   using Kind = ChartShape::Kind;
   switch (s.kind) {
     case Kind::line:
@@ -66,7 +68,7 @@ void paintShape(QPainter& painter, const ChartShape& s, QColor colour) {
       painter.drawLine(QPointF(s.x - s.x2, s.y - s.x2), QPointF(s.x + s.x2, s.y + s.x2));
       return painter.drawLine(QPointF(s.x - s.x2, s.y + s.x2), QPointF(s.x + s.x2, s.y - s.x2));
     case Kind::words:
-      return paintWords(painter, s);
+      return paintWords(painter, s, paper);
   }
 }
 
@@ -79,7 +81,7 @@ void paintChart(QPainter& painter, const report::Chart& chart, ChartPaper paper)
     const QColor colour = colourOf(shape.ink, paper);
     painter.setPen(QPen(colour, 1, shape.ink == Ink::limit ? Qt::DashLine : Qt::SolidLine));
     painter.setBrush(Qt::NoBrush);
-    paintShape(painter, shape, colour);
+    paintShape(painter, shape, colour, paper);
   }
   painter.restore();
 }

@@ -4,6 +4,7 @@
 
 #include "facenav/efield/coil_file.h"
 #include "plan/field_presenter.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -65,7 +66,7 @@ QString FieldMapPresenter::words() const {
   if (!failure_.isEmpty()) return failure_;
   if (!shown_) return tr("computing the fields of the pulses \u2026");
   QStringList lines;
-  for (const auto& line : steps::inWords(shown_->map, shown_->coil)) lines << QString::fromStdString(line);
+  for (const auto& line : steps::inWords(shown_->map, shown_->coil)) lines << shownWords(line);
   return lines.join("; ");
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "facenav/report/local_time.h"
+#include "shell/shown_words.h"
 #include "shell/theme.h"
 
 namespace facenav::ui {
@@ -84,7 +85,7 @@ QVariant PulseTable::text(const casefile::ReviewedPulse& reviewed, int column) c
   if (column == kState) return stateWords(reviewed);
   if (column == kTarget) return pulse.target ? QString::fromStdString(pulse.target->name) : QString();
   if (isValue(column)) return QString::fromStdString(report::valueText(pulse, valueColumn(column).column));
-  return QString::fromStdString(reviewed.is_excluded ? reviewed.note : pulse.reason);
+  return reviewed.is_excluded ? QString::fromStdString(reviewed.note) : shownWords(pulse.reason);
 }
 
 /// Value to sort by; unknown values come last in ascending order.
@@ -116,7 +117,8 @@ QVariant PulseTable::data(const QModelIndex& index, int role) const {
       if (index.column() == columnOf(report::PulseColumn::peak_field) ||
           index.column() == columnOf(report::PulseColumn::peak_field_per_rate))
         return fieldPlaceWords(reviewed.pulse);
-      return QString::fromStdString(report::localTime(reviewed.pulse.utc) + " " + reviewed.pulse.reason);
+      return QString::fromStdString(report::localTime(reviewed.pulse.utc)) + " " +
+             shownWords(reviewed.pulse.reason);
     default:
       return {};
   }
@@ -129,7 +131,7 @@ QVariant PulseTable::headerData(int section, Qt::Orientation orientation, int ro
   if (section == kTarget) return tr("target");
   if (!isValue(section)) return tr("reason");
   const auto& words = valueColumn(section);
-  return QString::fromUtf8(words.name) + "\n" + QString::fromUtf8(words.unit);
+  return shownWords(std::string(words.name)) + "\n" + QString::fromUtf8(words.unit);
 }
 
 Qt::ItemFlags PulseTable::flags(const QModelIndex& index) const {

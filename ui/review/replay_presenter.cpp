@@ -7,6 +7,7 @@
 
 #include "facenav/casefile/evidence.h"
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -15,6 +16,13 @@ constexpr int kReplayRefresh_ms = 33;
 
 QString clockWords(double t_s) {
   return QTime(0, 0).addMSecs(int(std::lround(1e3 * t_s))).toString("hh:mm:ss.zzz");
+}
+
+/// A frame's state as the session's file names it.
+QString stateWords(const std::string& state) {
+  if (state == "on_target") return ReplayPresenter::tr("on target");
+  if (state == "adjust") return ReplayPresenter::tr("adjust");
+  return state == "lost" ? ReplayPresenter::tr("lost") : QString::fromStdString(state);
 }
 
 }  // namespace
@@ -83,7 +91,7 @@ void ReplayPresenter::read(const QString& folder) {
       if (folder != folder_) return folder_.isEmpty() ? void() : read(folder_);
       replay_ = replay;
       pictures_ = replay->pictures;
-      pictures_words_ = QString::fromStdString(replay->pictures_words);
+      pictures_words_ = shownWords(replay->pictures_words);
       problem_.clear();
       index_ = 0;
       placePulses();
@@ -182,7 +190,7 @@ QString ReplayPresenter::timeWords() const {
 }
 
 QString ReplayPresenter::lossWords() const {
-  return isOpen() ? QString::fromStdString(steps::lossAt(track(), moment())) : QString();
+  return isOpen() ? shownWords(steps::lossAt(track(), moment())) : QString();
 }
 
 /// The bound of the alignment's error as the session's pulses hold it; empty in older sessions.
@@ -198,8 +206,8 @@ QString ReplayPresenter::errorWords() const {
 
 QString ReplayPresenter::figures() const {
   if (!isOpen() || moment().state == 0) return {};
-  const QString head = QString::fromStdString(track().word(moment().target)) + ": " +
-                       QString::fromStdString(track().word(moment().state)).replace('_', ' ');
+  const QString head =
+      QString::fromStdString(track().word(moment().target)) + ": " + stateWords(track().word(moment().state));
   if (!moment().has_guidance) return head;
   const auto& g = moment().guidance;
   const auto number = [](float value, int decimals) { return QString::number(double(value), 'f', decimals); };
@@ -255,7 +263,7 @@ void ReplayPresenter::choosePictures(const QString& folder) {
                             try {
                               pictures = steps::openPictures(folder.toStdString(), replay->track);
                             } catch (const Error& error) {
-                              words = QString::fromUtf8(error.what());
+                              words = shownWords(error);
                             }
                             return [this, pictures, words, replay] {
                               if (replay != replay_) return;

@@ -11,6 +11,7 @@
 #include "facenav/review/mep_import.h"
 #include "facenav/review/pulse_pictures.h"
 #include "shell/report_pdf.h"
+#include "shell/shown_words.h"
 #include "shell/typed_number.h"
 
 namespace facenav::ui {
@@ -141,7 +142,7 @@ void ReviewPresenter::attempt(Change change) {
   try {
     change();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     emit sessionChanged();  // an edited field shows the valid value again
     return;
   }
@@ -179,9 +180,9 @@ void ReviewPresenter::importMeps(const QString& path, std::optional<double> offs
     if (match.edits.empty())
       throw Error("no MEP is at the time of a pulse", file.name, "is it this session's file?");
     editor_.setMeps(match.edits);
-    QString words = QString::fromStdString(steps::mepMatchWords(match, file));
-    if (!match.left_out.empty()) words += ": " + QString::fromStdString(match.left_out.front());
-    for (const auto& note : file.notes) words += "; " + QString::fromStdString(note);
+    QString words = shownWords(steps::mepMatchWords(match, file));
+    if (!match.left_out.empty()) words += ": " + shownWords(match.left_out.front());
+    for (const auto& note : file.notes) words += "; " + shownWords(note);
     emit said(words);
   });
 }
@@ -190,11 +191,11 @@ void ReviewPresenter::addReturned(const QString& file) {
   if (!model_.isOpen()) return;
   try {
     const auto returned = steps::importReturned(model_.current().store, file.toStdString());
-    emit said(QString::fromStdString(inWords(returned)));
+    emit said(shownWords(inWords(returned)));
     choose(QString::fromStdString(returned.folder.filename().string()));
     refresh();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -222,7 +223,7 @@ void ReviewPresenter::makeReport(bool has_name) {
     emit said(tr("report.pdf, report.html and pulses.csv are in %1")
                   .arg(QString::fromStdString(kept.folder.string())));
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -232,7 +233,7 @@ std::optional<steps::SessionComparison> ReviewPresenter::compareWith(const QStri
     const auto other = casefile::readSessionPulses(folderOf(earlier));
     return steps::compareSessions(other.pulses, session_->kept.pulses.pulses);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return std::nullopt;
   }
 }

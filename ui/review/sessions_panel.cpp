@@ -20,6 +20,7 @@
 #include "shell/appearance.h"
 #include "shell/author.h"
 #include "shell/narrow_label.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -262,7 +263,7 @@ void SessionsPanel::showSessions() {
       auto* item = new QTableWidgetItem(texts[i]);
       if (i == 0) item->setData(Qt::UserRole, QString::fromStdString(s.name));
       if (i == 0) item->setToolTip(QString::fromStdString(report::localTimeAndZone(s.started_utc)));
-      if (!s.problems.empty()) item->setToolTip(QString::fromStdString(s.problems.front()));
+      if (!s.problems.empty()) item->setToolTip(shownWords(s.problems.front()));
       sessions_->setItem(row, i, item);
     }
   }
@@ -299,14 +300,14 @@ void SessionsPanel::showState() {
     words_->setText(tr("reading the session"));
   } else {
     const auto summary = report::summarise(session->kept);
-    QStringList words{QString::fromStdString(summary.end)};
+    QStringList words{shownWords(summary.end)};
     if (summary.is_at_home) words << tr("at home");
-    if (summary.alignment) words << QString::fromStdString(*summary.alignment);
+    if (summary.alignment) words << shownWords(*summary.alignment);
     for (const auto& caution : summary.alignment_cautions)
-      words << tr("caution: %1").arg(QString::fromStdString(caution));
+      words << tr("caution: %1").arg(shownWords(caution));
     words << tr("losses: face %1, coil %2").arg(summary.face_losses).arg(summary.coil_losses);
     if (summary.adverse_events) words << tr("adverse events: %1").arg(summary.adverse_events);
-    if (!summary.problems.empty()) words << QString::fromStdString(summary.problems.front());
+    if (!summary.problems.empty()) words << shownWords(summary.problems.front());
     words_->setText(words.join(tr("; ")));
   }
   if (!pulses_->selectionModel()) return;
@@ -315,8 +316,8 @@ void SessionsPanel::showState() {
   include_->setEnabled(!chosen(true).empty());
   undo_->setEnabled(presenter_.editor().canUndo());
   redo_->setEnabled(presenter_.editor().canRedo());
-  undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(QString::fromStdString(presenter_.editor().undoWords())));
-  redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(QString::fromStdString(presenter_.editor().redoWords())));
+  undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(shownWords(presenter_.editor().undoWords())));
+  redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(shownWords(presenter_.editor().redoWords())));
 }
 
 void SessionsPanel::showMarked() {

@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/timestamp.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -38,9 +39,9 @@ void LatencyScreen::flash() {
 void LatencyScreen::finish() {
   timer_.stop();
   try {
-    words_ = QString::fromStdString(meter_.result().words());
+    words_ = shownWords(meter_.result().words());
   } catch (const Error& error) {
-    words_ = QString::fromUtf8(error.what());
+    words_ = shownWords(error);
   }
   update();
 }

@@ -5,6 +5,7 @@
 
 #include "facenav/core/timestamp.h"
 #include "shell/image_view.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -56,7 +57,7 @@ void ProjectorCodeScreen::paintEvent(QPaintEvent*) {
   painter.setFont(font);
   painter.drawText(
       rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
-      QString::fromStdString(run_.words()) + "\n\n" + tr("Space: take a scene. Escape: keep what there is."));
+      shownWords(run_.words()) + "\n\n" + tr("Space: take a scene. Escape: keep what there is."));
 }
 
 void ProjectorCodeScreen::keyPressEvent(QKeyEvent* event) {

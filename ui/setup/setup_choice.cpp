@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "setup/setup_presenter.h"
+#include "shell/shown_words.h"
 #include "treat/camera_choice.h"
 
 namespace facenav::ui {
@@ -60,7 +61,7 @@ void SetupPresenter::takeDevices(std::vector<capture::FoundCamera> found) {
 
 QString SetupPresenter::deviceWords() const {
   const auto advice = capture::adviceOn(devices_);
-  return advice.empty() ? QString() : QString::fromStdString(advice.front());
+  return advice.empty() ? QString() : shownWords(advice.front());
 }
 
 QString SetupPresenter::choiceWords() const {
@@ -92,7 +93,7 @@ void SetupPresenter::choose(const QString& left, const QString& right) {
       *name = keptApart(*typed);
     } catch (const Error& error) {
       *name = shownCamera(*typed);
-      faults_[field] = QString::fromUtf8(error.what());
+      faults_[field] = shownWords(error);
     }
   emit changed();
 }
@@ -125,7 +126,7 @@ void SetupPresenter::blame(const steps::PairError& error) {
   const auto field = error.fault() == capture::CameraFault::wrong_size ? SetupField::size
                      : error.isLeft()                                  ? SetupField::left
                                                                        : SetupField::right;
-  faults_[field] = QString::fromUtf8(error.what());
+  faults_[field] = shownWords(error);
   emit changed();
 }
 

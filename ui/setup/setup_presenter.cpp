@@ -5,6 +5,7 @@
 
 #include "facenav/cameras/board_page.h"
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -77,7 +78,7 @@ QString SetupPresenter::sentence() const {
   if (!setup_) return choiceWords();
   const auto now = view();
   if (!now->frame && now->failure.empty()) return tr("waiting for the first picture");
-  QString words = QString::fromStdString(now->sentence);
+  QString words = shownWords(now->sentence);
   if (now->step == Step::check && now->is_done && !is_kept_) words += tr(": keep it under a name");
   if (now->step == Step::coil && kept_row_times_s_ && setup_ && setup_->rowTimes_s() == kept_row_times_s_)
     words += tr("; kept with the pair");
@@ -125,7 +126,7 @@ bool SetupPresenter::printBoard(const QString& file) {
     cameras::writeBoardPage(board_, file.toStdString());
     return true;
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
 }
@@ -141,7 +142,7 @@ void SetupPresenter::noteCheckOfKept() {
     services_.noteRig(name, {utcNow(), health::toString(check->state), check->words()});
     emit kept(opened_rig_);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -174,8 +175,8 @@ bool SetupPresenter::keep(bool replaces) {
   try {
     services_.keepRig(named(), replaces ? Existing::replace : Existing::refuse);
   } catch (const Error& error) {
-    faults_[SetupField::name] = QString::fromUtf8(error.what());
-    emit refused(QString::fromUtf8(error.what()));
+    faults_[SetupField::name] = shownWords(error);
+    emit refused(shownWords(error));
     return false;
   }
   is_kept_ = true;
@@ -214,7 +215,7 @@ void SetupPresenter::startJig(const QString& file) {
     const auto jig = coil_tracking::readCoil(file.toStdString());
     if (setup_) setup_->startJig(jig);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -246,7 +247,7 @@ bool SetupPresenter::keepCoil() {
     dated.utc = utcNow();
     coil_tracking::writeCalibratedCoil(chosen->model, dated, chosen->file, chosen->file);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
   chooseCoil(coil_name_);

@@ -16,6 +16,7 @@
 #include "shell/image_view.h"
 #include "shell/narrow_label.h"
 #include "shell/scroll_column.h"
+#include "shell/shown_words.h"
 #include "shell/theme.h"
 
 namespace facenav::ui {
@@ -155,7 +156,7 @@ void SetupWindow::showLines(const steps::SetupView& view) {
   QStringList words;
   for (const auto& line : view.lines)
     words << (line.is_good ? QString::fromUtf8("\u2713  ") : QString::fromUtf8("\u2717  ")) +
-                 QString::fromStdString(line.words);
+                 shownWords(line.words);
   lines_->setText(words.join("\n").replace("+-", QString::fromUtf8("\u00b1")));
 }
 

@@ -1,4 +1,5 @@
 #include "shell/case_model.h"
+#include "shell/language.h"
 
 #include <QDateTime>
 #include <QLocale>
@@ -89,7 +90,9 @@ QString dayInWords(const std::string& utc) {
   time.setTimeSpec(Qt::UTC);
   if (!time.isValid()) return QString::fromStdString(utc);
   const QDate day = time.toLocalTime().date();
-  return QLocale::c().toString(day, day.year() == QDate::currentDate().year() ? "d MMM" : "d MMM yyyy");
+  const QLocale locale = languageInForce() == "en" ? QLocale::c() : QLocale(languageInForce());
+  return locale.toString(
+      day, day.year() == QDate::currentDate().year() ? CaseModel::tr("d MMM") : CaseModel::tr("d MMM yyyy"));
 }
 
 QString signOffWords(const casefile::SignOffStatus& status) {

@@ -16,9 +16,11 @@
 #include "setup/projector_code_screen.h"
 #include "setup/setup_window.h"
 #include "shell/appearance.h"
+#include "shell/language.h"
 #include "shell/linked_views.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
+#include "shell/shown_words.h"
 #include "shell/task_bar.h"
 #include "shell/theme.h"
 #include "shell/work_area.h"
@@ -78,9 +80,9 @@ void MainWindow::calibrateProjector() {
     if (file.isEmpty()) return;
     try {
       cameras::writeProjector(window->run().result()->projector, file.toStdString());
-      task_bar_->showMessage(QString::fromStdString(window->run().words()), false);
+      task_bar_->showMessage(shownWords(window->run().words()), false);
     } catch (const Error& error) {
-      task_bar_->showMessage(QString::fromUtf8(error.what()), true);
+      task_bar_->showMessage(shownWords(error), true);
     }
   });
   window->setGeometry(screen->geometry());
@@ -142,10 +144,8 @@ PageEdits MainWindow::pageEdits() {
   }
   if (workspace() == Workspace::review) {
     const auto& editor = review_.editor();
-    if (editor.canUndo())
-      edits.undo = {[this] { review_.undo(); }, QString::fromStdString(editor.undoWords())};
-    if (editor.canRedo())
-      edits.redo = {[this] { review_.redo(); }, QString::fromStdString(editor.redoWords())};
+    if (editor.canUndo()) edits.undo = {[this] { review_.undo(); }, shownWords(editor.undoWords())};
+    if (editor.canRedo()) edits.redo = {[this] { review_.redo(); }, shownWords(editor.redoWords())};
   }
   return edits;
 }
@@ -154,6 +154,7 @@ void MainWindow::addViewMenu() {
   auto* view = menuBar()->addMenu(tr("&View"));
   addTextSizes(*view->addMenu(tr("&Text size")));
   addThemes(*view->addMenu(tr("T&heme")));
+  addLanguages(*view->addMenu(tr("&Language")));
   view->addAction(tr("&Reset the layout"), this, &MainWindow::resetLayout);
   auto* full = view->addAction(tr("&Full screen"), this,
                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
@@ -166,7 +167,7 @@ void MainWindow::addViewMenu() {
           if (const QString words = keepScreenshot(*this); !words.isEmpty())
             task_bar_->showMessage(words, false);
         } catch (const Error& error) {
-          task_bar_->showMessage(QString::fromUtf8(error.what()), true);
+          task_bar_->showMessage(shownWords(error), true);
         }
       },
       Qt::CTRL + Qt::SHIFT + Qt::Key_S);
@@ -182,6 +183,21 @@ void MainWindow::addTextSizes(QMenu& sizes) {
     });
     action->setCheckable(true);
     action->setChecked(std::lround(100 * rememberedTextScale()) == percent);
+    group->addAction(action);
+  }
+}
+
+/// The languages, each by its own name. Another one holds from the next start.
+void MainWindow::addLanguages(QMenu& menu) {
+  auto* group = new QActionGroup(&menu);
+  for (const Language& language : languages()) {
+    auto* action = menu.addAction(language.name, this, [this, language] {
+      rememberLanguage(language.code);
+      if (language.code != languageInForce())
+        task_bar_->showMessage(tr("FaceNav speaks %1 from its next start").arg(language.name), false);
+    });
+    action->setCheckable(true);
+    action->setChecked(language.code == languageInForce());
     group->addAction(action);
   }
 }

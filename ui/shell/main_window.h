@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
   void addFileMenu();
   void addViewMenu();
   void addTextSizes(QMenu& sizes);
+  void addLanguages(QMenu& menu);
   void addHelpMenu();
   PageEdits pageEdits();
   void resetLayout();

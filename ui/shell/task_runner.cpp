@@ -3,6 +3,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/log.h"
 #include "facenav/core/timestamp.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -23,20 +24,20 @@ bool TaskRunner::start(const QString& title, Work work) {
     const double now_s = Timestamp::now().s;
     if (now_s - *last_report_s < 0.05 && fraction < 1.0) return;  // 20 Hz is fast enough to look smooth
     *last_report_s = now_s;
-    const QString words = QString::fromStdString(step);
+    const QString words = shownWords(step);
     QMetaObject::invokeMethod(
         this, [this, words, fraction] { emit progressed(words, fraction); }, Qt::QueuedConnection);
   });
   thread_ = std::thread([this, monitor = monitor_, work = std::move(work)] {
     Delivery delivery;
-    QString failure;
+    std::string failure;
     bool was_cancelled = false;
     try {
       delivery = work(*monitor);
     } catch (const Cancelled&) {
       was_cancelled = true;
     } catch (const std::exception& error) {
-      failure = QString::fromUtf8(error.what());
+      failure = error.what();
     }
     QMetaObject::invokeMethod(
         this, [this, delivery, failure, was_cancelled] { finish(delivery, failure, was_cancelled); },
@@ -49,22 +50,22 @@ void TaskRunner::cancel() {
   if (monitor_) monitor_->cancel();
 }
 
-void TaskRunner::finish(const Delivery& delivery, const QString& failure, bool was_cancelled) {
+void TaskRunner::finish(const Delivery& delivery, const std::string& failure, bool was_cancelled) {
   if (thread_.joinable()) thread_.join();
   is_running_ = false;
-  QString words = failure;
-  if (!was_cancelled && words.isEmpty() && delivery) {
+  failure_ = failure;
+  if (!was_cancelled && failure_.empty() && delivery) {
     try {
       delivery();
     } catch (const std::exception& error) {
-      words = QString::fromUtf8(error.what());
+      failure_ = error.what();
     }
   }
   if (was_cancelled) {
     emit cancelled();
-  } else if (!words.isEmpty()) {
-    logWarning(words.toStdString());
-    emit failed(words);
+  } else if (!failure_.empty()) {
+    logWarning(failure_);
+    emit failed(shownWords(failure_));
   } else {
     emit succeeded();
   }

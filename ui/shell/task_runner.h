@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "facenav/core/task_monitor.h"
@@ -30,20 +31,23 @@ class TaskRunner : public QObject {
   bool start(const QString& title, Work work);
   void cancel();
   bool isRunning() const { return is_running_; }
+  /// Why the last task failed, in English as in the log; empty if it did not.
+  const std::string& failure() const { return failure_; }
 
  signals:
   void started(const QString& title);
   void progressed(const QString& step, double fraction);
   void succeeded();
-  void failed(const QString& words);
+  void failed(const QString& words);  // in the window's language
   void cancelled();
 
  private:
-  void finish(const Delivery& delivery, const QString& failure, bool was_cancelled);
+  void finish(const Delivery& delivery, const std::string& failure, bool was_cancelled);
 
   std::thread thread_;
   std::shared_ptr<TaskMonitor> monitor_;
   bool is_running_ = false;
+  std::string failure_;
 };
 
 }  // namespace facenav::ui

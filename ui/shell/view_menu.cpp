@@ -8,6 +8,7 @@
 
 #include "facenav/core/error.h"
 #include "shell/screenshot.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -17,7 +18,7 @@ void keepPicture(QWidget& view) {
     const QString words = keepScreenshot(view);
     if (!words.isEmpty()) QToolTip::showText(view.mapToGlobal(QPoint(0, 0)), words, &view);
   } catch (const Error& error) {
-    QMessageBox::warning(&view, QObject::tr("The picture was not kept"), QString::fromUtf8(error.what()));
+    QMessageBox::warning(&view, QObject::tr("The picture was not kept"), shownWords(error));
   }
 }
 

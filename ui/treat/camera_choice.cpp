@@ -6,6 +6,7 @@
 
 #include "facenav/capture/stream_logins.h"
 #include "facenav/core/shown_address.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -21,7 +22,7 @@ void listCameras(QComboBox& box, const std::vector<capture::FoundCamera>& device
   const QSignalBlocker block(&box);
   box.clear();
   for (const auto& device : devices) {
-    box.addItem(QString::fromStdString(capture::inWords(device)),
+    box.addItem(shownWords(capture::inWords(device)),
                 QString::fromStdString(capture::stableName(device.identity)));
     box.setItemData(box.count() - 1, box.itemText(box.count() - 1), Qt::ToolTipRole);
   }
@@ -69,7 +70,7 @@ QString addressTrouble(const std::vector<capture::FoundCamera>& devices, const Q
   try {
     capture::findCamera(devices, camera.toStdString());
   } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
+    return shownWords(error);
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 
 #include "shell/image_view.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -73,7 +74,7 @@ void CameraRow::showDrawn(std::shared_ptr<const pictures::DrawnOverlay> drawn) {
   shown_ = std::move(drawn);
   still_.reset();
   is_empty_ = false;
-  const QString failure = QString::fromStdString(shown_->failure);
+  const QString failure = shownWords(shown_->failure);
   left_->set(toQImage(shown_->overlay.left), failure);
   right_->set(toQImage(shown_->overlay.right), failure);
 }

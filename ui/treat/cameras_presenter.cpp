@@ -2,6 +2,7 @@
 
 #include "facenav/align/automatic_capture.h"
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 #include "treat/preview_frames.h"
 
 namespace facenav::ui {
@@ -32,15 +33,15 @@ RigVerifying CamerasPresenter::verifying() const {
 
 QString CamerasPresenter::rigFault() const {
   if (const auto frame = picture(); frame && is_live_ && !frame->rig_fault.empty())
-    return QString::fromStdString(frame->rig_fault);
+    return shownWords(frame->rig_fault);
   const auto found = start_->latest();
-  return found && found->isWithheld() ? QString::fromStdString(found->words()) : QString();
+  return found && found->isWithheld() ? shownWords(found->words()) : QString();
 }
 
 QString CamerasPresenter::startWords() const {
   if (!chosen_.named()) return {};
   const auto found = start_->latest();
-  return found ? QString::fromStdString(found->words())
+  return found ? shownWords(found->words())
                : tr("the cameras are compared with what was kept: look at them, and hold the coil still");
 }
 
@@ -146,13 +147,13 @@ bool CamerasPresenter::isWell() const {
 
 QString CamerasPresenter::words() const {
   if (preview_) {
-    if (!preview_->failure().empty()) return QString::fromStdString(preview_->failure());
+    if (!preview_->failure().empty()) return shownWords(preview_->failure());
     if (!is_live_) return preview_->hasEnded() ? tr("recording, at its end") : tr("recording");
     if (preview_->age_s() > kFresh_s) return tr("NO PICTURE from the cameras");
     QString words = tr("live, %1 pictures a second").arg(preview_->frames_per_s(), 0, 'f', 0);
     if (const QString start = startWords(); !start.isEmpty()) words += "\n" + start;
     if (const QString other = otherChoiceWords(); !other.isEmpty()) words += "\n" + other;
-    for (const auto& caution : preview_->cautions()) words += "\n" + QString::fromStdString(caution);
+    for (const auto& caution : preview_->cautions()) words += "\n" + shownWords(caution);
     return words;
   }
   return chosen_.words();

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 #include "treat/camera_choice.h"
 
 namespace facenav::ui {
@@ -84,7 +85,7 @@ const capture::FoundCamera* ChosenCameras::device(const QString& name) const {
 
 QString ChosenCameras::deviceWords() const {
   QStringList words;
-  for (const auto& advice : capture::adviceOn(devices_)) words << QString::fromStdString(advice);
+  for (const auto& advice : capture::adviceOn(devices_)) words << shownWords(advice);
   return words.join("\n");
 }
 
@@ -93,7 +94,7 @@ void ChosenCameras::choose(QString left, QString right) {
     left = keptApart(left);
     right = keptApart(right);
   } catch (const Error& error) {
-    return emit refused(QString::fromUtf8(error.what()));
+    return emit refused(shownWords(error));
   }
   if (left != left_ || right != right_) forgetRigName();
   left_ = std::move(left);
@@ -118,7 +119,7 @@ void ChosenCameras::readRigs() {
   try {
     rigs_ = services_.listRigs();
   } catch (const Error& error) {
-    rig_problem_ = QString::fromUtf8(error.what());
+    rig_problem_ = shownWords(error);
   }
 }
 
@@ -147,7 +148,7 @@ void ChosenCameras::chooseRig(const QString& name) {
                                [&](const auto& entry) { return entry.name == name.toStdString(); });
   if (at == rigs_.end() || !at->rig)
     return emit refused(at == rigs_.end() ? tr("there is no rig called %1").arg(name)
-                                          : QString::fromStdString(at->problem));
+                                          : shownWords(at->problem));
   setRigFile(QString::fromStdString((at->folder / "stereo.yml").string()));
   if (at->rig->left)
     choose(QString::fromStdString(capture::stableName(at->rig->left->identity)),
@@ -166,14 +167,14 @@ void ChosenCameras::readRig() {
     rig_ = cameras::readRig(rig_file_.toStdString());
     if (const auto kept = named()) rig_ = kept->rig;  // with the measured row times
   } catch (const Error& error) {
-    rig_problem_ = QString::fromUtf8(error.what());
+    rig_problem_ = shownWords(error);
   }
 }
 
 /// Words of the last check; a check of an earlier day does not cover a bar that was bumped since.
 QString ChosenCameras::checkWords(const capture::NamedRig& rig) const {
   if (!rig.last_check) return tr("never checked since it was made: check it (Set up)");
-  const QString words = tr("last check: %1").arg(QString::fromStdString(rig.last_check->words));
+  const QString words = tr("last check: %1").arg(shownWords(rig.last_check->words));
   const auto checked = QDateTime::fromString(QString::fromStdString(rig.last_check->utc), Qt::ISODate);
   if (!checked.isValid() || checked.date() == QDateTime::currentDateTimeUtc().date()) return words;
   return words + tr(" (%1); check it again today (Set up)")

@@ -4,6 +4,7 @@
 
 #include "facenav/coil_library/coil_library.h"
 #include "facenav/plan/expert_pose.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -63,11 +64,10 @@ void FollowedCoil::noteIn(steps::TreatmentRequest& request) const {
 
 QString FollowedCoil::reminder(const guidance::Target* target) const {
   if (target)
-    if (const auto caution = steps::otherCoilCaution(*target, model_.name))
-      return QString::fromStdString(*caution);
+    if (const auto caution = steps::otherCoilCaution(*target, model_.name)) return shownWords(*caution);
   QStringList words;
   for (const auto& reminder : {coil_library::focusCaution(card_), coil_library::calibrationReminder(card_)})
-    if (reminder) words << QString::fromStdString(*reminder);
+    if (reminder) words << shownWords(*reminder);
   return words.join("; ");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plan/field_presenter.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -136,7 +137,7 @@ QString LiveFieldPresenter::shareWords() const {
 }
 
 QString LiveFieldPresenter::missingWords() const {
-  const QString failure = QString::fromStdString(worker_.failure());
+  const QString failure = shownWords(worker_.failure());
   if (!model_.isOpen()) return tr("no field: no case is open");
   if (!failure.isEmpty()) return tr("no field: %1").arg(failure);
   if (!model_.current().brain) return tr("no field: the case has no brain");

@@ -1,6 +1,7 @@
 #include "treat/motor_presenter.h"
 
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -39,7 +40,7 @@ void MotorPresenter::take(const session::AddedPulse& pulse, Keep keep) {
       showIntensity();
     }
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
 }
@@ -81,7 +82,7 @@ void MotorPresenter::search(stimulation::ThresholdMethod method, const QString& 
     was_searched_ = false;
     showIntensity();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
 }
@@ -102,7 +103,7 @@ void MotorPresenter::takeBack() {
       showIntensity();
     }
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   was_searched_ = false;
   emit changed();
@@ -111,7 +112,7 @@ void MotorPresenter::takeBack() {
 QString MotorPresenter::thresholdWords() const {
   if (!search_) return tr("no search runs");
   const auto& state = search_->state();
-  const QString words = QString::fromStdString(search_->inWords());
+  const QString words = shownWords(search_->inWords());
   if (state.isDone()) return tr("THRESHOLD %1").arg(words);
   return tr("set the output to %1 %, one pulse, then answer\n%2").arg(*state.next_pct, 0, 'f', 0).arg(words);
 }
@@ -127,7 +128,7 @@ void MotorPresenter::hunt() {
   try {
     sites_ = steps::huntingSites(*seed, *model_.current().scalp, {});
   } catch (const Error& error) {
-    return emit refused(QString::fromUtf8(error.what()));
+    return emit refused(shownWords(error));
   }
   site_ = 0;
   if (isHunting()) treat_.guideTo(sites_[site_]);

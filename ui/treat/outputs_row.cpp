@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "shell/elided_label.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -80,7 +81,7 @@ QWidget* OutputsRow::makeOthers() {
   others_->setObjectName("other_outputs");
   others_->setPlaceholderText(QStringLiteral("lsl, invesalius:5000, osc:9000"));
   others_->setToolTip(tr("outputs with commas between them: %1. Without a host: this computer.")
-                          .arg(QString::fromStdString(links::liveOutputWords())));
+                          .arg(shownWords(links::liveOutputWords())));
   row->addWidget(send_);
   row->addWidget(others_, 1);
   connect(send_, &QCheckBox::clicked, this, &OutputsRow::send);

@@ -5,6 +5,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/pictures/projected_guide.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -47,7 +48,7 @@ bool ProjectorPresenter::open(const QString& file) {
   try {
     projector_ = cameras::readProjector(file.toStdString());
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
   QSettings().setValue(kProjectorFile, file);

@@ -11,6 +11,7 @@
 #include "shell/appearance.h"
 #include "shell/elided_label.h"
 #include "shell/narrow_label.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -19,7 +20,8 @@ constexpr int kLastPulse_px = 30;  // a line of the style sheet's 22 pt
 
 /// The first two reasons, and how many more there are: two lines at most. The tool tip has all.
 QString shortReason(const std::string& reason) {
-  QStringList parts = QString::fromStdString(reason).split("; ");
+  QStringList parts;
+  for (const QString& part : QString::fromStdString(reason).split("; ")) parts << shownWords(part);
   constexpr int kShown = 2;
   const int more = int(parts.size()) - kShown;
   if (more <= 0) return parts.join("; ");
@@ -113,7 +115,7 @@ void PulseRow::showLastPulse() {
   if (number > shown_pulse_) sounds_.pulse();
   shown_pulse_ = number;
   last_pulse_->setText(last ? verdictWords(*last) : QString());
-  last_pulse_->setToolTip(last ? QString::fromStdString(last->reason) : QString());
+  last_pulse_->setToolTip(last ? shownWords(last->reason) : QString());
   const bool is_bad = last && last->status != casefile::PulseStatus::on_target;
   if (last_pulse_->property("is_bad").toBool() != is_bad) {
     last_pulse_->setProperty("is_bad", is_bad);

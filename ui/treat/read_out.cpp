@@ -4,20 +4,27 @@
 #include <cmath>
 
 #include "facenav/geometry/rotation.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
 
 constexpr double kApart_ms = 3.0;  // time difference that is shown: 0.3 mm for a head that moves at 100 mm/s
 
-QString tr(const char* text) { return QCoreApplication::translate("ReadOut", text); }
+/// The context is the one that lupdate takes for a function of this namespace.
+QString tr(const char* text) { return QCoreApplication::translate("facenav::ui", text); }
+
+/// `quality`: of a tracked one; nothing: it is lost.
+Chip chip(const QString& name, std::optional<double> quality, const std::string& loss) {
+  if (!quality) return {tr("%1 LOST").arg(name), shownWords(loss), Level::lost};
+  const bool is_weak = *quality < 0.4;
+  return {is_weak ? tr("%1 weak").arg(name) : tr("%1 tracked").arg(name),
+          tr("quality %1").arg(*quality, 0, 'f', 2), is_weak ? Level::caution : Level::good};
+}
 
 template <class T>
-Chip chip(const QString& name, const Tracked<T>& tracked, const std::string& loss) {
-  if (!tracked) return {tr("%1 LOST").arg(name), QString::fromStdString(loss), Level::lost};
-  const bool is_weak = tracked.quality() < 0.4;
-  return {is_weak ? tr("%1 weak").arg(name) : tr("%1 tracked").arg(name),
-          tr("quality %1").arg(tracked.quality(), 0, 'f', 2), is_weak ? Level::caution : Level::good};
+std::optional<double> qualityOf(const Tracked<T>& tracked) {
+  return tracked ? std::optional(double(tracked.quality())) : std::nullopt;
 }
 
 /// Formats with one decimal below 100 mm, none above, so that the figure never needs more width.
@@ -43,12 +50,12 @@ void addGap(const guidance::CoilGap& gap, ReadOut& out) {
     out.gap += tr("; seen %1 mm").arg(*seen_mm, 0, 'f', 1);
     out.gap_tip += tr("; seen: above the surface (skin or hair) that both cameras measure beside the coil");
   } else if (!gap.unseen.empty()) {
-    out.gap_tip += "; " + QString::fromStdString(gap.unseen);
+    out.gap_tip += "; " + shownWords(gap.unseen);
   }
   out.gap_disagrees = gap.disagrees();
   if (!out.gap_disagrees) return;
   out.gap = "! " + out.gap;
-  out.gap_tip = QString::fromStdString(disagreementInWords(gap)) + ". " + out.gap_tip;
+  out.gap_tip = shownWords(disagreementInWords(gap)) + ". " + out.gap_tip;
 }
 
 /// The second coil in one line. Lost: its name and why, without a figure.
@@ -56,7 +63,7 @@ QString secondInWords(const session::NavigationState& state) {
   if (!state.second) return {};
   const QString name = QString::fromStdString(state.second->name);
   const std::string loss = session::secondCoilLossInWords(state);
-  if (!loss.empty()) return tr("%1: %2").arg(name, QString::fromStdString(loss.substr(0, loss.find(':'))));
+  if (!loss.empty()) return tr("%1: %2").arg(name, shownWords(loss).section(':', 0, 0));
   const auto& g = state.second->guidance;
   if (!g.values || g.state == guidance::State::lost)
     return state.camera_T_mri && !state.second->chosen ? tr("%1: tracked, no target").arg(name)
@@ -86,8 +93,8 @@ ReadOut makeReadOut(const session::NavigationState& state) {
                    tr("one camera exposes later than the other; the head's motion in between is allowed for, "
                       "but a trigger for both is better"),
                    Level::caution};
-  out.face = chip(tr("FACE"), state.head, session::headLossInWords(state));
-  out.coil = chip(tr("COIL"), state.coil, session::coilLossInWords(state));
+  out.face = chip(tr("FACE"), qualityOf(state.head), session::headLossInWords(state));
+  out.coil = chip(tr("COIL"), qualityOf(state.coil), session::coilLossInWords(state));
   out.timing = tr("%1 ms   %2 dropped").arg(state.latency_ms, 0, 'f', 1).arg(qulonglong(state.dropped));
   addGap(state.gap, out);
   out.second = secondInWords(state);
@@ -102,13 +109,13 @@ ReadOut makeReadOut(const session::NavigationState& state) {
     if (state.chosen && state.chosen->error_bound_mm > 0)
       out.predicted = tr("95 % within %1 mm at the target").arg(state.chosen->error_bound_mm, 0, 'f', 1);
     out.level = g.state == guidance::State::on_target ? Level::good : Level::caution;
-    const QString words = QString::fromStdString(g.instruction);
+    const QString words = shownWords(g.instruction);
     out.instruction = out.level == Level::good ? tr("ON TARGET: %1").arg(words) : tr("ADJUST: %1").arg(words);
   } else {
-    const QString loss = QString::fromStdString(session::lossInWords(state));
+    const QString loss = shownWords(session::lossInWords(state));
     out.instruction = !loss.isEmpty()        ? loss
                       : state.target.empty() ? tr("choose a target")
-                                             : QString::fromStdString(g.instruction);
+                                             : shownWords(g.instruction);
   }
   return out;
 }

@@ -9,7 +9,7 @@
 namespace facenav::ui {
 
 inline QString wordsOf(const capture::Recording& recording) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("TreatPresenter", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("facenav::ui", text); };
   return tr("%1: %2 frames, %3 per s%4")
       .arg(QString::fromStdString(recording.folder.filename().string()))
       .arg(qlonglong(recording.frame_count))

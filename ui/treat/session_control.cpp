@@ -1,11 +1,13 @@
 // The running session of TreatPresenter: pulses, answers, pauses, notes, and its end.
 
+#include <QCoreApplication>
 #include <QSettings>
 #include <QTime>
 #include <utility>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 #include "treat/session_end.h"
 #include "treat/treat_presenter.h"
 
@@ -24,14 +26,14 @@ QStringList outputsIn(QString words) {
 void TreatPresenter::listen() {
   if (pulse_source_.isEmpty() || !isRunning()) return;
   if (const auto fault = treatment_->tryToListen(pulse_source_.toStdString()))
-    emit refused(tr("no pulses from outside: %1").arg(QString::fromStdString(*fault)));
+    emit refused(tr("no pulses from outside: %1").arg(shownWords(*fault)));
 }
 
 bool TreatPresenter::setPulseSource(const QString& words) {
   try {
     if (!words.trimmed().isEmpty()) links::openPulseSource(words.trimmed().toStdString());
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
   pulse_source_ = words.trimmed();
@@ -62,7 +64,7 @@ void TreatPresenter::chooseSecondTarget(const QString& name) {
         treatment_->chooseSecondTargetNamed(name.toStdString());
     }
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
 }
@@ -82,9 +84,9 @@ QString TreatPresenter::obeyOrders() {
     auto& orders = offers_.orders();
     for (const auto& news :
          isRunning() && store ? orders.obey(*treatment_, *store) : orders.obey(nobody, store))
-      newest = QString::fromStdString(news.words);
+      newest = shownWords(news.words);
   } catch (const Error& error) {
-    newest = QString::fromUtf8(error.what());
+    newest = shownWords(error);
   }
   if (newest.isEmpty()) return newest;
   offers_.tellNews();
@@ -102,7 +104,7 @@ bool TreatPresenter::sendTo(const QString& words, bool accepts) {
       if (!open.contains(each))
         outputs_->open(each.toStdString(), offers_.orders().incoming(accepts, accepts));
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     is_opened = false;
   }
   emit changed();
@@ -121,7 +123,7 @@ bool TreatPresenter::setOtherOutputs(const QString& words) {
   try {
     for (const auto& each : outputsIn(words)) links::requireLiveOutput(each.toStdString());
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
   QSettings().setValue(kOtherOutputs, words.trimmed());
@@ -130,7 +132,7 @@ bool TreatPresenter::setOtherOutputs(const QString& words) {
 
 QStringList TreatPresenter::receivers() const {
   QStringList lines;
-  for (const auto& each : outputs_->receivers()) lines << QString::fromStdString(each);
+  for (const auto& each : outputs_->receivers()) lines << shownWords(each);
   return lines;
 }
 
@@ -170,7 +172,9 @@ void TreatPresenter::stopGuiding() { pause(QStringLiteral("guidance stopped")); 
 
 QString TreatPresenter::pauseWords() const {
   if (!isPaused()) return {};
-  const QString reason = QString::fromStdString(treatment_->log().pauses().reason());
+  // An offered reason is kept in English.
+  const QString reason =
+      QCoreApplication::translate("facenav::ui::SessionPanel", treatment_->log().pauses().reason().c_str());
   return reason.isEmpty() ? tr("PAUSED") : tr("PAUSED: %1").arg(reason);
 }
 
@@ -204,7 +208,7 @@ bool TreatPresenter::note(const QString& event, const QString& detail) {
     reportBeside(retirement_, model_.current().store.folder(), last_session_);
     return true;
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
 }

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "shell/appearance.h"
+#include "shell/shown_words.h"
 #include "treat/offer_panel.h"
 #include "treat/outputs_row.h"
 #include "treat/screens_row.h"
@@ -19,6 +20,12 @@ namespace facenav::ui {
 namespace {
 
 namespace events = report::session_events;
+
+/// Reasons that are offered for a pause.
+constexpr const char* kPauseReasons[] = {QT_TRANSLATE_NOOP("facenav::ui::SessionPanel", "patient asked"),
+                                         QT_TRANSLATE_NOOP("facenav::ui::SessionPanel", "coil too warm"),
+                                         QT_TRANSLATE_NOOP("facenav::ui::SessionPanel", "position lost"),
+                                         QT_TRANSLATE_NOOP("facenav::ui::SessionPanel", "equipment")};
 
 QHBoxLayout* rowIn(QWidget* widget) {
   auto* row = new QHBoxLayout(widget);
@@ -52,13 +59,19 @@ QWidget* SessionPanel::makePause() {
   reason_ = new QComboBox(bar);
   reason_->setAccessibleName(tr("reason of the pause"));
   reason_->setEditable(true);
-  reason_->addItems({tr("patient asked"), tr("coil too warm"), tr("position lost"), tr("equipment")});
+  for (const char* reason : kPauseReasons) reason_->addItem(tr(reason));
   reason_->setToolTip(tr("why the treatment is paused"));
   row->addWidget(pause_);
   row->addWidget(reason_, 1);
   connect(pause_, &QPushButton::clicked, this,
-          [this] { treat_.isPaused() ? treat_.resume() : treat_.pause(reason_->currentText()); });
+          [this] { treat_.isPaused() ? treat_.resume() : treat_.pause(pauseReason()); });
   return bar;
+}
+
+/// The reason as the session's log keeps it: an offered one in English, else what was typed.
+QString SessionPanel::pauseReason() const {
+  const int offered = reason_->findText(reason_->currentText());
+  return offered < 0 ? reason_->currentText() : QString(kPauseReasons[offered]);
 }
 
 /// Makes the pain choice. A choice is logged at once; a correction is a second entry, and the report shows
@@ -110,7 +123,7 @@ QWidget* SessionPanel::makeSource() {
   source_->setAccessibleName(tr("pulses from"));
   source_->setPlaceholderText(tr("pulses: keyboard alone"));
   source_->setToolTip(tr("where pulses come from beside the key P: %1. It only listens; nothing is fired.")
-                          .arg(QString::fromStdString(links::pulseSourceWords())));
+                          .arg(shownWords(links::pulseSourceWords())));
   row->addWidget(new QLabel(tr("pulses from"), bar));
   row->addWidget(source_, 1);
   connect(source_, &QLineEdit::editingFinished, this, [this] {

@@ -26,6 +26,7 @@ class SessionPanel : public QFrame {
   QWidget* makePain();
   QWidget* makeAdverse();
   QWidget* makePause();
+  QString pauseReason() const;
   QWidget* makeSource();
   QWidget* makeSound();
   void showState();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "facenav/core/error.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -45,7 +46,7 @@ void TipPresenter::pick(stereo::PictureSide side, const QPointF& px, const sessi
       refusal_.clear();
     }
   } catch (const Error& error) {
-    refusal_ = QString::fromStdString(error.what());
+    refusal_ = shownWords(error);
   }
   follow(state);
 }
@@ -71,7 +72,7 @@ QString TipPresenter::skinWords() const {
 
 QString TipPresenter::placeWords() const {
   if (!isNear() || !reading_->nearest) return tr("mm from nose or ear");
-  return tr("mm from %1").arg(QString::fromStdString(reading_->nearest->name));
+  return tr("mm from %1").arg(shownWords(reading_->nearest->name));
 }
 
 QString TipPresenter::words() const {
@@ -99,7 +100,7 @@ void TipPresenter::judge(steps::TipVerdict verdict) {
   treat_.judgeTip(verdict, *reading_);
   last_ = QTime::currentTime().toString("HH:mm ") +
           (verdict == steps::TipVerdict::right ? tr("matches: %1") : tr("DOES NOT MATCH, align again: %1"))
-              .arg(QString::fromStdString(inWords(*reading_)));
+              .arg(shownWords(inWords(*reading_)));
   forgetSpot();
   emit changed();
 }

@@ -9,6 +9,7 @@
 #include "facenav/treat/session_return.h"
 #include "facenav/treat/tracker_alignment.h"
 #include "plan/field_presenter.h"
+#include "shell/shown_words.h"
 #include "treat/recording_words.h"
 
 namespace facenav::ui {
@@ -156,7 +157,7 @@ void TreatPresenter::chooseCoil(const QString& name) {
       if (isRunning()) treatment_->chooseCoil(coil);
     });
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
 }
@@ -254,7 +255,7 @@ void TreatPresenter::startWith(const std::filesystem::path& goes_on) {
   try {
     second_.addTo(request);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return;
   }
   request.goes_on = goes_on;
@@ -311,7 +312,7 @@ void TreatPresenter::overrideSignOff(const QString& by, const QString& reason) {
     model_.setOverride({by.trimmed(), reason.trimmed()});
     emit changed();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
 }
 
@@ -349,14 +350,14 @@ QString TreatPresenter::recordingWords() const {
 
 QString TreatPresenter::alignmentWords() const {
   if (!isAligned()) return tr("not aligned in this session");
-  return QString::fromStdString(steps::alignmentWords(*aligned_.outcome, target()));
+  return shownWords(steps::alignmentWords(*aligned_.outcome, target()));
 }
 
 std::shared_ptr<const session::NavigationState> TreatPresenter::state() const {
   if (treatment_) {
     const auto latest = treatment_->session().latest();
-    if (latest->rig_correction) rig_fault_ = QString::fromStdString(inWords(*latest->rig_correction));
-    if (const auto fault = session::rigFault(*latest)) rig_fault_ = QString::fromStdString(fault->words());
+    if (latest->rig_correction) rig_fault_ = shownWords(inWords(*latest->rig_correction));
+    if (const auto fault = session::rigFault(*latest)) rig_fault_ = shownWords(fault->words());
     if (!treatment_->session().hasEnded() || !latest->failure.empty()) return latest;
     return std::make_shared<session::NavigationState>(session::blanked(*latest, LostReason::stale));
   }

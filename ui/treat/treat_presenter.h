@@ -13,6 +13,7 @@
 #include "shell/asynchronous_shutdown.h"
 #include "shell/case_model.h"
 #include "shell/services.h"
+#include "shell/shown_words.h"
 #include "shell/task_runner.h"
 #include "treat/aligned_head.h"
 #include "treat/cameras_presenter.h"
@@ -160,9 +161,7 @@ class TreatPresenter : public QObject {
   /// True from a session's start until end() or stop(), also after its recording's end.
   bool hasSession() const { return treatment_ != nullptr; }
   /// Why the session's log stopped; empty if it did not.
-  QString logFailure() const {
-    return treatment_ ? QString::fromStdString(treatment_->log().failure()) : QString();
-  }
+  QString logFailure() const { return treatment_ ? shownWords(treatment_->log().failure()) : QString(); }
   /// True if cameras are open or a recording is loaded.
   bool hasRecording() const { return recording_.has_value(); }
   bool isLive() const { return is_live_; }

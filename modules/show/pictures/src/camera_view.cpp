@@ -64,8 +64,8 @@ void drawCaption(CameraView& view, const std::string& words, bool is_lost) {
   cv::Mat band =
       view.image(cv::Rect(0, 0, view.image.cols, std::min(view.image.rows, size.height + 3 * pad)));
   cv::addWeighted(band, 0.30, cv::Mat(band.size(), band.type(), kDark), 0.70, 0, band);
-  cv::putText(view.image, words, {pad + pad / 2, size.height + pad + pad / 2}, cv::FONT_HERSHEY_DUPLEX, scale,
-              is_lost ? kOrange : kGrey, view.thickness(1), cv::LINE_AA);
+  drawWords(view, words, {pad + pad / 2, size.height + pad + pad / 2}, scale, is_lost ? kOrange : kGrey,
+            view.thickness(1));
 }
 
 }  // namespace facenav::pictures

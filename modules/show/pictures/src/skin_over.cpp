@@ -67,9 +67,8 @@ void drawPlace(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri
   const int arm = int(16 * 5 * view.unit);
   for (const cv::Point way : {cv::Point(arm, 0), cv::Point(0, arm)})
     cv::line(view.image, *px - way, *px + way, kOrange, view.thickness(1.4), cv::LINE_AA, 4);
-  cv::putText(view.image, place.name,
-              cv::Point(px->x / 16 + int(7 * view.unit), px->y / 16 - int(5 * view.unit)),
-              cv::FONT_HERSHEY_DUPLEX, 0.45 * view.unit, kOrange, view.thickness(0.9), cv::LINE_AA);
+  const cv::Point base_px(px->x / 16 + int(7 * view.unit), px->y / 16 - int(5 * view.unit));
+  drawWords(view, place.name, base_px, 0.45 * view.unit, kOrange, view.thickness(0.9));
 }
 
 }  // namespace

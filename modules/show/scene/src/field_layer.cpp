@@ -17,6 +17,7 @@
 #include "actors.h"
 #include "facenav/scene/pulse_layer.h"
 #include "image_bridge.h"
+#include "scene_text.h"
 
 namespace facenav::scene {
 namespace {
@@ -144,6 +145,7 @@ struct FieldLayer::Implementation {
     words->GetTextProperty()->SetBackgroundColor(0, 0, 0);  // the coil is nearly always above them
     words->GetTextProperty()->SetBackgroundOpacity(kBehindWords);
     words->GetTextProperty()->BoldOn();
+    useTextFont(*words->GetTextProperty());
     words->GetTextProperty()->SetJustificationToCentered();
     add(words);
   }

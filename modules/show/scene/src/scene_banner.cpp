@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "facenav/scene/palette.h"
+#include "scene_text.h"
 
 namespace facenav::scene {
 namespace {
@@ -19,11 +20,19 @@ constexpr double kMostHeight = 0.4;   // largest share of the view's height
 constexpr double kUsualPlace = 0.90;  // height of the text's middle in the view
 constexpr const char* kSide = "  ";   // padding of the dark box, left and right of each line
 
+/// Adds a space behind the Japanese comma, where a line may end too.
+std::string withBreaks(std::string words) {
+  const std::string comma = "\u3001";
+  for (auto at = words.find(comma); at != std::string::npos; at = words.find(comma, at + comma.size()))
+    words.insert(at + comma.size(), " ");
+  return words;
+}
+
 /// Breaks the text at spaces into lines of `longest` characters at most; a longer word gets a line of its
 /// own.
 std::vector<std::string> brokenAt(const std::string& words, std::size_t longest) {
   std::vector<std::string> lines;
-  std::istringstream stream(words);
+  std::istringstream stream(withBreaks(words));
   for (std::string word; stream >> word;)
     if (!lines.empty() && lines.back().size() + 1 + word.size() <= longest)
       lines.back() += " " + word;
@@ -46,6 +55,7 @@ std::string inLines(const std::string& words, int count) {
 SceneBanner::SceneBanner() {
   vtkTextProperty* style = actor_->GetTextProperty();
   style->SetFontSize(kFontSize);
+  useTextFont(*style);
   style->BoldOn();
   style->SetJustificationToCentered();
   style->SetVerticalJustificationToCentered();

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "facenav/scene/palette.h"
+#include "scene_text.h"
 
 namespace facenav::scene {
 namespace {
@@ -64,6 +65,7 @@ void SiteLayer::set(const std::vector<ScalpSite>& sites, double text_scale) {
     name->GetTextProperty()->SetFontSize(int(std::lround(kName_pt * text_scale)));
     name->GetTextProperty()->SetColor(kSiteColour[0], kSiteColour[1], kSiteColour[2]);
     name->GetTextProperty()->SetJustificationToCentered();
+    useTextFont(*name->GetTextProperty());
     layer.add(name);
   }
 }

@@ -50,7 +50,7 @@ std::string moveWords(const Target& target, const GuidanceValues& values) {
   const Eigen::Vector3d a = (forward - forward.dot(z) * z).normalized(), b = z.cross(a);
   const Eigen::Vector3d main = std::abs(way_mm.dot(a)) > std::abs(way_mm.dot(b)) ? a : b;
   const double way_along_mm = way_mm.dot(main);
-  return "move " + rounded(way_along_mm, " mm ") + patientDirection(way_along_mm * main);
+  return "move " + rounded(way_along_mm, "") + " mm " + patientDirection(way_along_mm * main);
 }
 
 std::string tiltWords(const GuidanceValues& values) {

@@ -1,0 +1,34 @@
+#pragma once
+// Words in the cameras' pictures. OpenCV's letters are Latin alone, so a window in another language paints
+// them itself: it gives a painter, which also translates.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace facenav::pictures {
+
+/// One line of words, English.
+struct PictureWords {
+  std::string text;
+  int left_px, base_px;  // where its base line begins
+  int height_px;         // of a capital letter
+  std::array<std::uint8_t, 3> colour;
+};
+
+/// An 8-bit RGB picture that is being drawn.
+struct PicturePixels {
+  unsigned char* rgb;
+  int width_px, height_px;
+  std::size_t row_bytes;
+};
+
+/// Paints words on a picture. Any thread may call it.
+using WordsPainter = std::function<void(const PicturePixels&, const PictureWords&)>;
+
+/// Takes the painter of all pictures that are drawn from now on; null: OpenCV's letters.
+void setWordsPainter(WordsPainter painter);
+
+}  // namespace facenav::pictures

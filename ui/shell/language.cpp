@@ -1,0 +1,110 @@
+#include "shell/language.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QPainter>
+#include <QSettings>
+#include <QTranslator>
+#include <algorithm>
+#include <filesystem>
+
+#include "facenav/pictures/picture_words.h"
+#include "facenav/scene/text_font.h"
+#include "shell/shown_words.h"
+
+/// The linker drops a static library's resources unless they are initialised (the macro needs the global
+/// namespace).
+static void initialiseLanguages() { Q_INIT_RESOURCE(languages); }
+
+namespace facenav::ui {
+namespace {
+
+const char* const kRemembered = "appearance/language";
+const char* const kEnglish = "en";
+const char* const kInForce = "language";  // property of the application
+
+/// "ja" of "ja_JP" or "ja-JP"; empty if there is no such language here.
+QString known(const QString& locale) {
+  const QString code = QString(locale).replace('-', '_').section('_', 0, 0).toLower();
+  const auto all = languages();
+  const bool is_known =
+      std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.code == code; });
+  return is_known ? code : QString();
+}
+
+/// Gives the translator to the application, which deletes it when another language comes.
+void install(QCoreApplication& application, const QString& name, const QString& folder) {
+  auto* translator = new QTranslator(&application);
+  if (translator->load(name, folder))
+    QCoreApplication::installTranslator(translator);
+  else
+    delete translator;
+}
+
+/// Paints and translates words in a camera's picture.
+void paintPictureWords(const pictures::PicturePixels& on, const pictures::PictureWords& words) {
+  QImage image(on.rgb, on.width_px, on.height_px, int(on.row_bytes), QImage::Format_RGB888);
+  QPainter painter(&image);
+  QFont font;
+  font.setPixelSize(std::max(8, words.height_px * 4 / 3));  // of a capital letter to that of the font
+  painter.setFont(font);
+  painter.setPen(QColor(words.colour[0], words.colour[1], words.colour[2]));
+  painter.drawText(words.left_px, words.base_px, shownWords(words.text));
+}
+
+/// Letters for the scenes: Debian's Japanese font, whichever is installed, or DejaVu for other letters.
+std::filesystem::path sceneFont(const QString& code) {
+  const std::filesystem::path fonts = "/usr/share/fonts/truetype";
+  const auto font = fonts / (code == "ja" ? "fonts-japanese-gothic.ttf" : "dejavu/DejaVuSans.ttf");
+  return std::filesystem::exists(font) ? font : std::filesystem::path();
+}
+
+}  // namespace
+
+std::vector<Language> languages() {
+  initialiseLanguages();
+  std::vector<Language> all{{kEnglish, "English"}};
+  for (const QString& file : QDir(":/languages").entryList({"facenav_*.qm"}, QDir::Files, QDir::Name)) {
+    const QString code = file.section('_', 1).section('.', 0, 0);
+    all.push_back({code, QLocale(code).nativeLanguageName()});
+  }
+  return all;
+}
+
+QString languageInForce() {
+  const QVariant code = qApp ? qApp->property(kInForce) : QVariant();
+  return code.isValid() ? code.toString() : QString(kEnglish);
+}
+
+QString wantedLanguage() {
+  QStringList wanted{qEnvironmentVariable("FACENAV_LANGUAGE"), rememberedLanguage()};
+  for (const QString& each : wanted)
+    if (const QString code = known(each); !code.isEmpty()) return code;
+  for (const QString& each : QLocale::system().uiLanguages())
+    if (const QString code = known(each); !code.isEmpty()) return code;
+  return kEnglish;
+}
+
+QString rememberedLanguage() { return QSettings().value(kRemembered).toString(); }
+
+void rememberLanguage(const QString& code) { QSettings().setValue(kRemembered, code); }
+
+void applyLanguage(QCoreApplication& application, const QString& code) {
+  qDeleteAll(application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));
+  const QString taken = known(code).isEmpty() ? QString(kEnglish) : known(code);
+  application.setProperty(kInForce, taken);
+  const bool is_english = taken == kEnglish;
+  pictures::setWordsPainter(is_english ? pictures::WordsPainter() : paintPictureWords);
+  scene::setTextFont(is_english ? std::filesystem::path() : sceneFont(taken));
+  if (is_english) return useSentencesOf(nullptr);
+  install(application, "qtbase_" + taken, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+  install(application, "facenav_" + taken, ":/languages");
+  QFile catalogue(":/languages/facenav_" + taken + ".ts");
+  useSentencesOf(catalogue.open(QIODevice::ReadOnly) ? &catalogue : nullptr);
+}
+
+}  // namespace facenav::ui
