@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <cstdlib>
+#include <utility>
 
 #include "facenav/casefile/kept_session.h"
 #include "facenav/casefile/threshold_file.h"
@@ -110,10 +111,12 @@ TEST_F(TreatField, ItIsThatOfTheHeldCoilAndGoesWithItsPose) {
   EXPECT_TRUE(fixtures::waitFor([&] { return field.computed() >= asked + 10; })) << "without being asked for";
   field.rest();
   EXPECT_EQ(field.shown(), nullptr) << "the page is hidden";
-  fixtures::waitFor([] { return false; }, 50);
-  const int rested = field.computed();
-  fixtures::waitFor([] { return false; }, 200);
-  EXPECT_EQ(field.computed(), rested);
+  int rested = field.computed();
+  EXPECT_TRUE(fixtures::waitFor([&] {
+    const int before = std::exchange(rested, field.computed());
+    fixtures::waitFor([] { return false; }, 200);
+    return before == rested && field.computed() == rested;
+  })) << "what was on its way is over, and nothing follows";
   ASSERT_TRUE(waitForField(field));
   treat_.pause("coil too warm");
   field.follow(*treat_.state());
