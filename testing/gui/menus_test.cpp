@@ -14,6 +14,8 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QShortcut>
+#include <QTextBlock>
+#include <QTextDocument>
 #include <QtTest/QTest>
 
 #include "facenav/core/licences.h"
@@ -21,11 +23,14 @@
 #include "facenav/scene/display.h"
 #include "gui_fixtures.h"
 #include "prepare/prepare_workspace.h"
+#include "review/review_workspace.h"
 #include "shell/appearance.h"
 #include "shell/help_window.h"
 #include "shell/main_window.h"
+#include "shell/manual_text.h"
 #include "shell/screenshot.h"
 #include "support/made_session.h"
+#include "treat/treat_side.h"
 
 namespace facenav::ui {
 namespace {
@@ -165,6 +170,90 @@ TEST_F(MenusTest, F1ShowsTheManualWhereItDescribesThePageInView) {
     EXPECT_TRUE(help().text().contains("In the window")) << page.toStdString();
     help().close();
   }
+}
+
+TEST_F(MenusTest, F1ShowsTheSectionOfThePageAndToolInView) {
+  using Tool = TreatSide::Tool;
+  const auto shown = [&] {
+    for (auto* widget : window_->findChildren<QWidget*>()) widget->clearFocus();
+    window_->showHelp();
+    return help().page() + "#" + help().heading();
+  };
+  const auto at = [&](Workspace workspace) { window_->setWorkspace(workspace); };
+  const std::pair<PrepareStep, QString> steps[] = {
+      {PrepareStep::worklist, "prepare.md#in-the-window"},
+      {PrepareStep::series, "prepare.md#look-what-a-folder-holds-facenav-series"},
+      {PrepareStep::archive, "prepare.md#fetch-a-series-from-the-archive-facenav-pacs"},
+      {PrepareStep::check, "prepare.md#check-and-sign-off-facenav-check"},
+      {PrepareStep::sign_off, "prepare.md#check-and-sign-off-facenav-check"}};
+  at(Workspace::prepare);
+  for (const auto& [step, place] : steps) {
+    window_->setPrepareStep(step);
+    EXPECT_EQ(shown(), place);
+  }
+  const std::pair<Tool, QString> tools[] = {{Tool::aim, "treat.md#in-the-window"},
+                                            {Tool::motor, "treat.md#the-motor-threshold-facenav-threshold"},
+                                            {Tool::session, "treat.md#where-pulses-come-from"},
+                                            {Tool::check, "treat.md#judge-the-alignment"}};
+  at(Workspace::treat);
+  for (const auto& [tool, place] : tools) {
+    window_->findChild<TreatSide*>()->showTool(tool);
+    EXPECT_EQ(shown(), place);
+  }
+  const std::pair<ReviewPage, QString> pages[] = {
+      {ReviewPage::pulses, "review.md#the-pulses-facenav-pulses"},
+      {ReviewPage::replay, "review.md#in-the-window"},
+      {ReviewPage::compare, "review.md#in-the-window"},
+      {ReviewPage::report, "review.md#for-the-chart-facenav-report"}};
+  at(Workspace::review);
+  for (const auto& [page, place] : pages) {
+    window_->findChild<ReviewWorkspace*>()->setPage(page);
+    EXPECT_EQ(shown(), place);
+  }
+  at(Workspace::plan);
+  EXPECT_EQ(shown(), "plan.md#in-the-window");
+}
+
+TEST_F(MenusTest, EveryPartWithAPlaceOfItsOwnNamesAHeadingThatExists) {
+  int parts = 0;
+  for (const auto* part : window_->findChildren<QWidget*>()) {
+    const QString page = part->property("help_page").toString();
+    if (page.isEmpty()) continue;
+    ++parts;
+    ASSERT_TRUE(HelpWindow::showPlaceOf(part, *window_));
+    EXPECT_EQ(help().page(), page);
+    EXPECT_EQ(help().heading(), part->property("help_heading").toString());
+  }
+  EXPECT_GE(parts, 6) << "overlays, field, dose, field's view, targets' tools, brain's edits";
+}
+
+TEST_F(MenusTest, HelpShowsThePicturesThatAreInstalledAndLeavesOutTheOthers) {
+  testing::TemporaryFolder folder;
+  const auto pictures = folder.path() / "doc" / "facenav" / "manual" / "html" / "_images";
+  std::filesystem::create_directories(pictures);
+  qputenv("FACENAV_DATA", QByteArray::fromStdString((folder.path() / "facenav").string()));
+  const auto countPictures = [](const QString& page) {
+    ManualText text(nullptr);
+    text.resize(700, 500);
+    text.showPage(page);
+    int count = 0;
+    for (auto block = text.document()->begin(); block.isValid(); block = block.next())
+      for (auto it = block.begin(); !it.atEnd(); ++it)
+        if (it.fragment().charFormat().isImageFormat()) {
+          ++count;
+          const auto name = it.fragment().charFormat().toImageFormat().name();
+          const auto shown = text.document()->resource(QTextDocument::ImageResource, name).value<QImage>();
+          EXPECT_EQ(shown.width(), 640) << "at most as wide as the window";
+        }
+    EXPECT_FALSE(text.toPlainText().contains("picture:"));
+    return count;
+  };
+  QImage large(1366, 768, QImage::Format_RGB32);
+  large.fill(Qt::blue);
+  ASSERT_TRUE(large.save(QString::fromStdString((pictures / "here.png").string())));
+  EXPECT_EQ(countPictures("# A\n\n<!-- picture: here what it shows -->\n\nB\n"), 1);
+  EXPECT_EQ(countPictures("# A\n\n<!-- picture: away what it shows -->\n\nB\n"), 0);
+  qunsetenv("FACENAV_DATA");
 }
 
 TEST_F(MenusTest, EveryPageOfTheManualIsInTheProgramAndItsLinksLeadToPages) {

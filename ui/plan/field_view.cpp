@@ -9,6 +9,7 @@
 
 #include "shell/appearance.h"
 #include "shell/colour_legend.h"
+#include "shell/help_window.h"
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
@@ -26,6 +27,7 @@ void fitHeight(QLabel& label, int lines) {
 
 FieldView::FieldView(FieldPresenter& field, BestPosePresenter& best, QWidget* parent)
     : QFrame(parent), field_(field), best_(best) {
+  HelpWindow::setPlace(*this, "field.md", "in-the-window");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);

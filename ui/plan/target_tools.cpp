@@ -7,6 +7,7 @@
 #include <QWidgetAction>
 
 #include "plan/grid_panel.h"
+#include "shell/help_window.h"
 #include "shell/shown_words.h"
 
 namespace facenav::ui {
@@ -25,6 +26,7 @@ class WaitCursor {
 
 TargetTools::TargetTools(PlanPresenter& plan, HeadPresenter& head, QWidget* parent)
     : QFrame(parent), plan_(plan), head_(head) {
+  HelpWindow::setPlace(*this, "plan.md", "change-targets");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);

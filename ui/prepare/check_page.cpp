@@ -9,6 +9,7 @@
 
 #include "prepare/edit_panel.h"
 #include "shell/appearance.h"
+#include "shell/help_window.h"
 #include "shell/linked_views.h"
 #include "shell/scroll_column.h"
 #include "shell/theme.h"
@@ -88,6 +89,7 @@ QWidget* CheckPage::makeFindingsPanel() {
   within->addWidget(findings_, 1);
   within->addWidget(masks);
   auto* edit = new EditPanel(edit_, panel);
+  HelpWindow::setPlace(*edit, "prepare.md", "correct-the-brain-facenav-brain");
   within->addWidget(edit);
   column->addWidget(heading);
   column->addWidget(new ScrollColumn(body, 310, panel), 1);

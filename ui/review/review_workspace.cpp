@@ -145,6 +145,8 @@ void ReviewWorkspace::setPage(ReviewPage page) {
   pages_->setCurrentIndex(int(page));
 }
 
+ReviewPage ReviewWorkspace::page() const { return ReviewPage(pages_->currentIndex()); }
+
 /// Asks for what only the user may know: streams of a recording, the offset of the clocks. An empty field
 /// lets it be found.
 void ReviewWorkspace::chooseMeps() {

@@ -27,6 +27,7 @@ class ReviewWorkspace : public QWidget {
   ReviewWorkspace(ReviewPresenter& presenter, ReplayPresenter& replay, CaseModel& model,
                   QWidget* parent = nullptr);
   void setPage(ReviewPage page);
+  ReviewPage page() const;
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -26,6 +26,21 @@ using Step = steps::SetupStep;
 
 constexpr int kSetupRefresh_ms = 60, kToolsWidth_px = 270;
 
+/// Heading of the manual's page set-up.md for the step.
+QString headingOf(Step step) {
+  switch (step) {
+    case Step::place:
+      break;
+    case Step::calibrate:
+      return "calibrate-facenav-calibrate";
+    case Step::check:
+      return "check";
+    case Step::coil:
+      return "the-coil-facenav-marker-calibrate-coil-coil";
+  }
+  return "in-the-window";
+}
+
 }  // namespace
 
 SetupWindow::SetupWindow(const Services& services, QWidget* parent)
@@ -116,7 +131,7 @@ void SetupWindow::makeBottom(QVBoxLayout& column) {
   column.addLayout(row);
   connect(back_, &QPushButton::clicked, this, &SetupWindow::goBack);
   connect(next_, &QPushButton::clicked, this, &SetupWindow::goOn);
-  HelpWindow::addKey(*this, "set-up.md", "in-the-window");
+  HelpWindow::addKey(*this, "set-up.md", [this] { return headingOf(presenter_.step()); });
   for (const int key : {Qt::Key_Return, Qt::Key_Enter})
     connect(new QShortcut(key, this), &QShortcut::activated, this, [this] {
       if (next_->isEnabled()) goOn();

@@ -1,17 +1,18 @@
 #include "shell/help_window.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QApplication>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QTextBlock>
-#include <QTextBrowser>
 #include <QTextDocument>
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "shell/manual_text.h"
 #include "shell/work_area.h"
 
 namespace facenav::ui {
@@ -21,21 +22,13 @@ const char* const kIndex = "README.md";
 
 QString resourceOf(const QString& page) { return ":/facenav/doc/" + page; }
 
-/// A heading's anchor, as the manual's links name it.
-QString anchorOf(const QString& heading) {
-  QString anchor;
-  for (const QChar c : heading.toLower())
-    if (c == ' ')
-      anchor += '-';
-    else if (c.isLetterOrNumber() || c == '-' || c == '_')
-      anchor += c;
-  return anchor;
-}
+const char* const kPlacePage = "help_page";  // properties of a widget that has its own place in the manual
+const char* const kPlaceHeading = "help_heading";
 
 }  // namespace
 
 HelpWindow::HelpWindow(QWidget* parent)
-    : QWidget(parent, Qt::Window), text_(new QTextBrowser(this)), back_(new QPushButton(tr("Back"), this)) {
+    : QWidget(parent, Qt::Window), text_(new ManualText(this)), back_(new QPushButton(tr("Back"), this)) {
   auto* column = new QVBoxLayout(this);
   column->addWidget(text_, 1);
   auto* row = new QHBoxLayout;
@@ -65,11 +58,31 @@ HelpWindow& HelpWindow::of(QWidget& window) {
   return *new HelpWindow(&window);
 }
 
-void HelpWindow::addKey(QWidget& window, const QString& page, const QString& heading) {
+void HelpWindow::addKey(QWidget& window, const QString& page, const std::function<QString()>& heading) {
   auto* key = new QShortcut(Qt::Key_F1, &window);
   key->setWhatsThis(tr("help for this page"));
-  connect(key, &QShortcut::activated, &window,
-          [&window, page, heading] { of(window).showPage(page, heading); });
+  connect(key, &QShortcut::activated, &window, [&window, page, heading] {
+    if (!showPlaceOf(QApplication::focusWidget(), window)) of(window).showPage(page, heading());
+  });
+}
+
+void HelpWindow::addKey(QWidget& window, const QString& page, const QString& heading) {
+  addKey(window, page, [heading] { return heading; });
+}
+
+void HelpWindow::setPlace(QWidget& part, const QString& page, const QString& heading) {
+  part.setProperty(kPlacePage, page);
+  part.setProperty(kPlaceHeading, heading);
+}
+
+bool HelpWindow::showPlaceOf(const QWidget* part, QWidget& window) {
+  for (; part && part != &window; part = part->parentWidget()) {
+    const QString page = part->property(kPlacePage).toString();
+    if (page.isEmpty()) continue;
+    of(window).showPage(page, part->property(kPlaceHeading).toString());
+    return true;
+  }
+  return false;
 }
 
 void HelpWindow::showPage(const QString& page, const QString& heading) {
@@ -80,7 +93,8 @@ void HelpWindow::showPage(const QString& page, const QString& heading) {
   }
   if (!page_.isEmpty() && page_ != page) earlier_ << page_;
   page_ = page;
-  text_->setMarkdown(QString::fromUtf8(file.readAll()));
+  text_->showPage(QString::fromUtf8(file.readAll()));
+  heading_ = hasHeading(*text_->document(), heading) ? heading : QString();
   setWindowTitle(tr("FaceNav help: %1").arg(text_->document()->firstBlock().text()));
   present();
   goToHeading(heading);
@@ -89,6 +103,7 @@ void HelpWindow::showPage(const QString& page, const QString& heading) {
 void HelpWindow::showHtml(const QString& title, const QString& html) {
   if (!page_.isEmpty()) earlier_ << page_;
   page_.clear();
+  heading_.clear();
   text_->setHtml(html);
   setWindowTitle(title);
   present();

@@ -3,12 +3,14 @@
 // list of shortcuts, or About. It does not hold up the window that it belongs to.
 
 #include <QWidget>
+#include <functional>
 
 class QPushButton;
-class QTextBrowser;
 class QUrl;
 
 namespace facenav::ui {
+
+class ManualText;
 
 class HelpWindow : public QWidget {
   Q_OBJECT
@@ -18,8 +20,15 @@ class HelpWindow : public QWidget {
 
   /// The help window that belongs to `window`; made at the first call.
   static HelpWindow& of(QWidget& window);
-  /// Lets F1 open this place of the manual in `window`.
+  /// Lets F1 open this place of the manual in `window`, or the place of the part that has the focus.
   static void addKey(QWidget& window, const QString& page, const QString& heading);
+  /// As above; the heading is asked for when the key is pressed.
+  static void addKey(QWidget& window, const QString& page, const std::function<QString()>& heading);
+  /// Gives a part of a window its own place in the manual.
+  static void setPlace(QWidget& part, const QString& page, const QString& heading);
+  /// Shows the place of the part, or of the nearest one around it that has a place. Returns false if none in
+  /// `window` has one.
+  static bool showPlaceOf(const QWidget* part, QWidget& window);
 
   /// Shows a page of the manual, "plan.md", from the heading with this anchor on, "in-the-window". Shows the
   /// list of pages if there is no such page.
@@ -27,6 +36,8 @@ class HelpWindow : public QWidget {
   void showHtml(const QString& title, const QString& html);
   /// The page shown; empty for other text.
   QString page() const { return page_; }
+  /// Anchor of the heading that the page was opened at; empty if it has no such heading.
+  QString heading() const { return heading_; }
   /// The text shown, without its form.
   QString text() const;
 
@@ -36,9 +47,9 @@ class HelpWindow : public QWidget {
   void goToHeading(const QString& heading);
   void present();
 
-  QTextBrowser* text_;
+  ManualText* text_;
   QPushButton* back_;
-  QString page_;
+  QString page_, heading_;
   QStringList earlier_;
 };
 

@@ -10,6 +10,7 @@
 #include "plan/dose_panel.h"
 #include "plan/field_panel.h"
 #include "plan/overlays_panel.h"
+#include "shell/help_window.h"
 #include "shell/words_of_button.h"
 
 namespace facenav::ui {
@@ -20,10 +21,11 @@ ShownTools::ShownTools(PlanPresenter& plan, OverlayPresenter& overlays, FieldPre
   row_->setContentsMargins(0, 0, 0, 0);
   row_->setSpacing(2);  // five buttons fit into a window of 1280
   addMenu(tr("Overlays"), tr("maps, masks, tracts and surfaces of other programs over the MRI"),
-          new OverlaysPanel(overlays));
+          new OverlaysPanel(overlays), {"plan.md", "maps-masks-and-tracts-over-the-mri"});
   addMenu(tr("Field"), tr("the electric field that the planned coil induces in the brain"),
-          new FieldPanel(field));
-  addMenu(tr("Dose"), tr("protocol, pulses of the target, and the coil"), new DosePanel(plan));
+          new FieldPanel(field), {"field.md", "in-the-window"});
+  addMenu(tr("Dose"), tr("protocol, pulses of the target, and the coil"), new DosePanel(plan),
+          {"plan.md", "the-coil-and-the-protocol"});
   slices_ = addSwitch(tr("Coil"),
                       tr("the MRI along the axis of the target's coil, along and across its handle (M)"),
                       "plan/coil_slices_shown", true);
@@ -39,7 +41,8 @@ bool ShownTools::showsCoilSlices() const { return slices_->isChecked(); }
 bool ShownTools::showsSites() const { return sites_->isChecked(); }
 
 template <class Chooser>
-void ShownTools::addMenu(const QString& words, const QString& tip, Chooser* panel) {
+void ShownTools::addMenu(const QString& words, const QString& tip, Chooser* panel,
+                         const std::pair<QString, QString>& help) {
   auto* menu = new QMenu(this);
   auto* action = new QWidgetAction(menu);
   action->setDefaultWidget(panel);
@@ -51,6 +54,7 @@ void ShownTools::addMenu(const QString& words, const QString& tip, Chooser* pane
   button->setMenu(menu);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setObjectName("tool");
+  HelpWindow::setPlace(*button, help.first, help.second);
   row_->addWidget(button);
 }
 

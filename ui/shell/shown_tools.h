@@ -29,7 +29,8 @@ class ShownTools : public QFrame {
 
  private:
   template <class Chooser>
-  void addMenu(const QString& words, const QString& tip, Chooser* panel);
+  void addMenu(const QString& words, const QString& tip, Chooser* panel,
+               const std::pair<QString, QString>& help);
   QPushButton* addSwitch(const QString& words, const QString& tip, const char* setting, bool is_on_at_first);
 
   QHBoxLayout* row_;
