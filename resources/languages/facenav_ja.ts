@@ -2513,8 +2513,8 @@
         <translation>顔とその鏡像を区別できません</translation>
     </message>
     <message>
-        <source>check that the MRI&apos;s left and right are not swapped, and show more of the face to both cameras</source>
-        <translation>MRI の左右が入れ替わっていないか確認し、顔のより広い範囲を両方のカメラに見せてください</translation>
+        <source>bring the cameras nearer, project dots, and show more of the face to both cameras; check that this is the patient&apos;s own MRI, its left and right not swapped</source>
+        <translation>カメラを近づけ、ドットを投影し、顔をより広く両方のカメラに向けてください。患者本人の MRI であり、左右が入れ替わっていないことも確かめてください</translation>
     </message>
     <message>
         <source>the pose is ambiguous: the face fits in two places</source>

@@ -258,9 +258,9 @@ void requireLikeness(const FitEvidence& evidence) {
   if (!is_own) refuseAsAnother(evidence);
   // The mirror image stands for another person, too: coarsely measured strangers fit it nearly as well.
   if (evidence.mirror_log_odds < limits.least_own)
-    refuseAsTooLittle(
-        "the face cannot be distinguished from its mirror image",
-        "check that the MRI's left and right are not swapped, and show more of the face to both cameras");
+    refuseAsTooLittle("the face cannot be distinguished from its mirror image",
+                      "bring the cameras nearer, project dots, and show more of the face to both cameras; "
+                      "check that this is the patient's own MRI, its left and right not swapped");
   if (evidence.rival_log_odds < limits.rival)
     refuseAsTooLittle("the pose is ambiguous: the face fits in two places",
                       "show more of the face to both cameras");
