@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "facenav/casefile/session_pulses.h"
 #include "facenav/core/number_text.h"
 #include "log_threads.h"
 
