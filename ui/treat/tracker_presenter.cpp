@@ -13,10 +13,10 @@ constexpr const char *kWords = "tracker/coil", *kHead = "tracker/head", *kSecond
 constexpr const char* kAlignmentFile = "tracker_alignment.json";  // in the case
 
 QString seenWords(const links::IgtlReading& reading, const QString& tool) {
-  using P = TrackerPresenter;
-  if (reading.pose) return P::tr("%1 is seen").arg(tool);
-  return reading.fault.empty() ? P::tr("%1 is not seen").arg(tool)
-                               : P::tr("%1: %2").arg(tool, QString::fromStdString(reading.fault));
+  if (reading.pose) return TrackerPresenter::tr("%1 is seen").arg(tool);
+  return reading.fault.empty()
+             ? TrackerPresenter::tr("%1 is not seen").arg(tool)
+             : TrackerPresenter::tr("%1: %2").arg(tool, QString::fromStdString(reading.fault));
 }
 
 }  // namespace
