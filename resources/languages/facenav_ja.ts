@@ -17279,7 +17279,7 @@ Review</source>
     </message>
     <message>
         <source>name of the pose of the tool on the head, at the same server</source>
-        <translation>頭に付けた追跡器具の姿勢の、同じサーバーでの名前</translation>
+        <translation>頭に付けたツールの姿勢の、同じサーバーでの名前</translation>
     </message>
     <message>
         <source>second coil</source>
@@ -17311,7 +17311,7 @@ Review</source>
     </message>
     <message>
         <source>JSON file: how the tool on the head stands to the MRI, and its error</source>
-        <translation>JSON ファイル: 頭に付けた追跡器具の MRI に対する姿勢と、その誤差</translation>
+        <translation>JSON ファイル: 頭に付けたツールの MRI に対する姿勢と、その誤差</translation>
     </message>
     <message>
         <source>Choose a file…</source>
