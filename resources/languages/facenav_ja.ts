@@ -270,6 +270,10 @@
         <source>look at the cameras, and hold the coil still beside the face, its marker to both cameras: the picture is taken by itself</source>
         <translation>カメラを見て、コイルを顔の横に静止させ、マーカーを両方のカメラに向けてください: 自動で撮影します</translation>
     </message>
+    <message>
+        <source>tick those to draw</source>
+        <translation>描くものにチェックを入れてください</translation>
+    </message>
 </context>
 <context>
     <name>SecondCoilChoice</name>
@@ -5933,10 +5937,6 @@
         <translation>GIFTI ファイルの数値の型が不明です</translation>
     </message>
     <message>
-        <source>export it as float32</source>
-        <translation>float32 で書き出してください</translation>
-    </message>
-    <message>
         <source>export one of them</source>
         <translation>1 つだけを書き出してください</translation>
     </message>
@@ -7961,14 +7961,6 @@
         <translation>φ–θ 面を計測しています</translation>
     </message>
     <message>
-        <source>four shells 1</source>
-        <translation>four shells 1</translation>
-    </message>
-    <message>
-        <source>three shells 1</source>
-        <translation>three shells 1</translation>
-    </message>
-    <message>
         <source>the case has no MRI</source>
         <translation>症例に MRI がありません</translation>
     </message>
@@ -8949,28 +8941,8 @@
         <translation>行と列を 1〜15、間隔を 1〜40 mm で指定してください</translation>
     </message>
     <message>
-        <source>command %1 from %2</source>
-        <translation>%2 からの命令 %1</translation>
-    </message>
-    <message>
         <source>stopped by %1</source>
         <translation>%1 により停止</translation>
-    </message>
-    <message>
-        <source>%1: the session is paused</source>
-        <translation>%1: セッションを一時停止しました</translation>
-    </message>
-    <message>
-        <source>%1: the session was not paused</source>
-        <translation>%1: セッションは一時停止していません</translation>
-    </message>
-    <message>
-        <source>%1: the session goes on</source>
-        <translation>%1: セッションを再開しました</translation>
-    </message>
-    <message>
-        <source>%1: a pulse was given</source>
-        <translation>%1: 照射しました</translation>
     </message>
     <message>
         <source>nothing was sent</source>
@@ -9015,10 +8987,6 @@
     <message>
         <source>the target &apos;%1&apos; cannot be taken: %2</source>
         <translation>標的 &apos;%1&apos; を採用できません: %2</translation>
-    </message>
-    <message>
-        <source>the target &apos;%1&apos; cannot be taken now</source>
-        <translation>標的 &apos;%1&apos; を今は採用できません</translation>
     </message>
     <message>
         <source>is open already</source>
@@ -11144,6 +11112,138 @@
         <source>another session was started</source>
         <translation>別のセッションが開始されました</translation>
     </message>
+    <message>
+        <source>its coil stands on edge: its %1 axis, not z, points into the head or out of it; are its axes in another order?</source>
+        <translation>コイルが頭部に対して立っています: z 軸ではなく %1 軸が頭部の内側または外側を向いています。座標軸の順序が異なりませんか?</translation>
+    </message>
+    <message>
+        <source>its poses lie %1 mm from the skin, and %2 mm if its lengths are %3: export it in millimetres</source>
+        <translation>姿勢が皮膚から %1 mm 離れています。長さの単位が %3 なら %2 mm です: ミリメートルで書き出してください</translation>
+    </message>
+    <message>
+        <source>its cells are separated as a spreadsheet does it; decimal commas are points</source>
+        <translation>欄の区切りが表計算ソフトの形式です。小数点のコンマはピリオドとして読みます</translation>
+    </message>
+    <message>
+        <source>its quaternion has the length %1 instead of 1</source>
+        <translation>四元数の長さが 1 ではなく %1 です</translation>
+    </message>
+    <message>
+        <source>the GIFTI file&apos;s data are damaged</source>
+        <translation>GIFTI ファイルのデータが壊れています</translation>
+    </message>
+    <message>
+        <source>the GIFTI file&apos;s data end too early</source>
+        <translation>GIFTI ファイルのデータが途中で終わっています</translation>
+    </message>
+    <message>
+        <source>the file with the GIFTI file&apos;s data cannot be read</source>
+        <translation>GIFTI ファイルのデータを収めたファイルを読み込めません</translation>
+    </message>
+    <message>
+        <source>the GIFTI file holds a value that is no number</source>
+        <translation>GIFTI ファイルに数値でない値があります</translation>
+    </message>
+    <message>
+        <source>the GIFTI file&apos;s data are of an unknown encoding</source>
+        <translation>GIFTI ファイルのデータの符号化方式が不明です</translation>
+    </message>
+    <message>
+        <source>the GIFTI file holds an array that is no table</source>
+        <translation>GIFTI ファイルに表ではない配列があります</translation>
+    </message>
+    <message>
+        <source>%1 items, the first</source>
+        <translation>%1 項目、最初は</translation>
+    </message>
+    <message>
+        <source>four shells 2</source>
+        <translation>four shells 2</translation>
+    </message>
+    <message>
+        <source>three shells 2</source>
+        <translation>three shells 2</translation>
+    </message>
+    <message>
+        <source>the session is paused</source>
+        <translation>セッションを一時停止しました</translation>
+    </message>
+    <message>
+        <source>the session was not paused</source>
+        <translation>セッションは一時停止していません</translation>
+    </message>
+    <message>
+        <source>the session goes on</source>
+        <translation>セッションを再開しました</translation>
+    </message>
+    <message>
+        <source>a pulse was given</source>
+        <translation>照射しました</translation>
+    </message>
+    <message>
+        <source>%1: not taken: there is no case that it could belong to</source>
+        <translation>%1: 受け取れません: 追加先の症例がありません</translation>
+    </message>
+    <message>
+        <source>command %1 from %2: %3</source>
+        <translation>%2 からの命令 %1: %3</translation>
+    </message>
+    <message>
+        <source>the target &apos;%1&apos; cannot be taken now: %2</source>
+        <translation>標的 &apos;%1&apos; を今は採用できません: %2</translation>
+    </message>
+    <message>
+        <source>the case has it already</source>
+        <translation>症例に既にあります</translation>
+    </message>
+    <message>
+        <source>poses were stopped already</source>
+        <translation>姿勢の送信は既に停止しています</translation>
+    </message>
+    <message>
+        <source>poses were sent</source>
+        <translation>姿勢は送信中です</translation>
+    </message>
+    <message>
+        <source>no poses until start</source>
+        <translation>開始の命令があるまで姿勢を送信しません</translation>
+    </message>
+    <message>
+        <source>poses are sent again</source>
+        <translation>姿勢の送信を再開しました</translation>
+    </message>
+    <message>
+        <source>cannot be written (it was removed)</source>
+        <translation>書き込めません (削除されています)</translation>
+    </message>
+    <message>
+        <source>leave the case&apos;s folder in its place</source>
+        <translation>症例のフォルダーを移動しないでください</translation>
+    </message>
+    <message>
+        <source>%1; not sent: %2</source>
+        <translation>%1; 送信できませんでした: %2</translation>
+    </message>
+    <message>
+        <source>target taken</source>
+        <translation>標的の採用</translation>
+    </message>
+    <message>
+        <source>no session runs</source>
+        <translation>実行中のセッションがありません</translation>
+    </message>
+    <message>
+        <source>the head&apos;s pose has no name</source>
+        <translation>頭の姿勢の名前がありません</translation>
+    </message>
+    <message>
+        <source>type it, as SubjectToTracker</source>
+        <translation>SubjectToTracker のように入力してください</translation>
+    </message>
+    <message>
+        <source>another tracker is used</source>
+        <translation>別の追跡装置に切り替わりました</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui</name>
@@ -11644,6 +11744,10 @@
         <source>Centre: the target. Cross: the coil, seen along the coil into the head, handle below. Stroke: tilt, one ring is 5 mm or 5°. Tick on the rim: twist.</source>
         <translation>中心: 標的。十字: コイル (コイルの軸に沿って頭の中へ向かって見た図。ハンドルは下)。線: 傾き。輪 1 つは 5 mm または 5°。縁の目盛り: ねじれ。</translation>
     </message>
+    <message>
+        <source>bull&apos;s eye</source>
+        <translation>ブルズアイ表示</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::CameraFields</name>
@@ -11860,6 +11964,14 @@
     <message>
         <source>Open a recording</source>
         <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>left camera</source>
+        <translation>左カメラ</translation>
+    </message>
+    <message>
+        <source>right camera</source>
+        <translation>右カメラ</translation>
     </message>
 </context>
 <context>
@@ -12118,6 +12230,14 @@
         <source>ring: 95 % within %1 mm</source>
         <translation>輪: 95 % が %1 mm 以内</translation>
     </message>
+    <message>
+        <source>slice along the handle</source>
+        <translation>ハンドル方向の断面</translation>
+    </message>
+    <message>
+        <source>slice across the handle</source>
+        <translation>ハンドル横断方向の断面</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::ColourLegend</name>
@@ -12175,6 +12295,14 @@
     <message>
         <source>Only in the chosen: %1.</source>
         <translation>選択したセッションのみ: %1。</translation>
+    </message>
+    <message>
+        <source>session to compare with</source>
+        <translation>比較相手のセッション</translation>
+    </message>
+    <message>
+        <source>differences of the sessions</source>
+        <translation>セッション間の差</translation>
     </message>
 </context>
 <context>
@@ -12336,6 +12464,10 @@
     <message>
         <source>choose from the library</source>
         <translation>ライブラリから選ぶ</translation>
+    </message>
+    <message>
+        <source>coil of the library</source>
+        <translation>ライブラリのコイル</translation>
     </message>
 </context>
 <context>
@@ -12527,6 +12659,10 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>size of the tool</source>
+        <translation>ツールの大きさ</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::EditPresenter</name>
@@ -12641,6 +12777,10 @@
         <source>End of the session: %1.</source>
         <translation>セッションの終了: %1。</translation>
     </message>
+    <message>
+        <source>adverse events</source>
+        <translation>有害事象</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::ExportPresenter</name>
@@ -12667,6 +12807,38 @@
     <message>
         <source> and </source>
         <translation>と</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>キャンセルしました</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Writing DICOM</source>
+        <translation>DICOM の書き出し</translation>
+    </message>
+    <message>
+        <source>Sent: %1 files</source>
+        <translation>送信しました: %1 ファイル</translation>
+    </message>
+    <message>
+        <source>Written: %1 images with the patient&apos;s name in %2</source>
+        <translation>書き出しました: %2 に、患者の氏名を含む画像 %1 枚</translation>
+    </message>
+    <message>
+        <source>Written: segments of %1 targets with the patient&apos;s name in %2</source>
+        <translation>書き出しました: %2 に、患者の氏名を含む、標的 %1 個のセグメント</translation>
+    </message>
+    <message>
+        <source>Written: the report with the patient&apos;s name in %1</source>
+        <translation>書き出しました: %1 に、患者の氏名を含むレポート</translation>
     </message>
 </context>
 <context>
@@ -12763,6 +12935,180 @@
         <source>name the file first</source>
         <translation>先にファイル名を入力してください</translation>
     </message>
+    <message>
+        <source>DICOM: the MRI with targets and coils drawn into it, a series for the archive</source>
+        <translation>DICOM: 標的とコイルを描き込んだ MRI (アーカイブ用の 1 シリーズ)</translation>
+    </message>
+    <message>
+        <source>DICOM: targets and coils as segments beside the scan, one object</source>
+        <translation>DICOM: スキャンに添える標的とコイルのセグメント (1 オブジェクト)</translation>
+    </message>
+    <message>
+        <source>DICOM: the report of a session as a document, one object</source>
+        <translation>DICOM: セッションのレポート文書 (1 オブジェクト)</translation>
+    </message>
+    <message>
+        <source>the folder of the DICOM files that the case was prepared from; patient and study are taken from there</source>
+        <translation>症例の作成に使った DICOM ファイルのフォルダー。患者と検査の情報はここから取ります</translation>
+    </message>
+    <message>
+        <source>folder of the original DICOM files</source>
+        <translation>元の DICOM ファイルのフォルダー</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>選択(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>where the original DICOM files are</source>
+        <translation>元の DICOM ファイルの場所</translation>
+    </message>
+    <message>
+        <source>&amp;Source</source>
+        <translation>元データ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Send it to the &amp;archive, %1</source>
+        <translation>アーカイブ %1 に送信(&amp;A)</translation>
+    </message>
+    <message>
+        <source>after it is written; the archive is set up in Prepare, page Archive</source>
+        <translation>書き出した後に送信します。アーカイブは準備の画面の「アーカイブ」のページで設定します</translation>
+    </message>
+    <message>
+        <source>What is written names the patient, as the original files do.</source>
+        <translation>書き出すファイルには、元のファイルと同じく患者の氏名が含まれます。</translation>
+    </message>
+    <message>
+        <source>Folder of the original DICOM files</source>
+        <translation>元の DICOM ファイルのフォルダー</translation>
+    </message>
+    <message>
+        <source>the case has no session yet</source>
+        <translation>症例にセッションがまだありません</translation>
+    </message>
+    <message>
+        <source>name the folder of the original DICOM files first</source>
+        <translation>先に元の DICOM ファイルのフォルダーを指定してください</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>書き出しています</translation>
+    </message>
+</context>
+<context>
+    <name>facenav::ui::FieldImportPresenter</name>
+    <message>
+        <source>a field belongs to the pose of one target: plan that target first</source>
+        <translation>電場は 1 つの標的の姿勢に対するものです: 先にその標的を計画してください</translation>
+    </message>
+    <message>
+        <source>the file holds values alone: choose the GIFTI surface that they belong to</source>
+        <translation>ファイルには値だけがあります: その値が属する GIFTI の表面を選んでください</translation>
+    </message>
+    <message>
+        <source>Reading the field</source>
+        <translation>電場の読み込み</translation>
+    </message>
+    <message>
+        <source>reading …</source>
+        <translation>読み込んでいます …</translation>
+    </message>
+    <message>
+        <source>maximum %1 V/m, 99.9th percentile %2 V/m at %3 A/µs, at %4 %5 %6 mm (RAS)</source>
+        <translation>%3 A/µs で最大値 %1 V/m、99.9 パーセンタイル %2 V/m、最大点 %4 %5 %6 mm (RAS)</translation>
+    </message>
+    <message>
+        <source>Taking in the field</source>
+        <translation>電場の取り込み</translation>
+    </message>
+    <message>
+        <source>the field is kept with &apos;%1&apos;: menu Field, tier 3</source>
+        <translation>電場を &apos;%1&apos; とともに保存しました: 「電場」メニュー、段階 3</translation>
+    </message>
+</context>
+<context>
+    <name>facenav::ui::FieldImportWindow</name>
+    <message>
+        <source>FaceNav: electric field from another program</source>
+        <translation>FaceNav: ほかのプログラムの電場</translation>
+    </message>
+    <message>
+        <source>close; the field does not come in</source>
+        <translation>閉じます。電場を取り込みません</translation>
+    </message>
+    <message>
+        <source>the target for whose pose the field was computed</source>
+        <translation>電場がその姿勢について計算された標的</translation>
+    </message>
+    <message>
+        <source> A/µs</source>
+        <translation> A/µs</translation>
+    </message>
+    <message>
+        <source>the rate of the current that the field is for; SimNIBS takes 1 A/µs</source>
+        <translation>この電場の電流変化率。SimNIBS では 1 A/µs です</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>標的(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>電流変化率(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>表面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>the GIFTI surface that the values belong to</source>
+        <translation>値が属する GIFTI の表面</translation>
+    </message>
+    <message>
+        <source>Surface (*.gii)</source>
+        <translation>表面 (*.gii)</translation>
+    </message>
+    <message>
+        <source>T&amp;1</source>
+        <translation>T&amp;1</translation>
+    </message>
+    <message>
+        <source>the NIfTI that the other program used; may stay empty</source>
+        <translation>ほかのプログラムが使った NIfTI。空欄でも構いません</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>It is a &amp;scan</source>
+        <translation>これはスキャン(&amp;S)</translation>
+    </message>
+    <message>
+        <source>no field: prepares a case of it</source>
+        <translation>電場ではありません: このファイルから症例を準備します</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>the field does not come in (Esc)</source>
+        <translation>電場を取り込みません (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Bring in</source>
+        <translation>取り込む(&amp;B)</translation>
+    </message>
+    <message>
+        <source>keeps the field with the target; an earlier one is replaced (Ctrl+Return)</source>
+        <translation>電場を標的とともに保存します。以前の電場は置き換えられます (Ctrl+Return)</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::FieldMapPresenter</name>
@@ -12856,6 +13202,10 @@
     <message>
         <source>Choose a file …</source>
         <translation>ファイルを選ぶ …</translation>
+    </message>
+    <message>
+        <source>unit of the current</source>
+        <translation>電流の単位</translation>
     </message>
 </context>
 <context>
@@ -13663,6 +14013,14 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>%1 items</source>
+        <translation>%1 項目</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>取り込み不可</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::ImportPresenter</name>
@@ -14151,6 +14509,22 @@ Review</source>
         <source>FaceNav speaks %1 from its next start</source>
         <translation>次回の起動から %1 で表示します</translation>
     </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>ダーク(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>ライト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>システムに合わせる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>テーマ(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::MapLegend</name>
@@ -14168,6 +14542,10 @@ Review</source>
     <message>
         <source>skin orange, brain blue; double click: look at this place on the large slices</source>
         <translation>皮膚はオレンジ、脳は青。ダブルクリック: この位置を大きな断面で見ます</translation>
+    </message>
+    <message>
+        <source>slices through the brain</source>
+        <translation>脳の断面</translation>
     </message>
 </context>
 <context>
@@ -14280,6 +14658,10 @@ Review</source>
         <source>Hunt here</source>
         <translation>ここで探索</translation>
     </message>
+    <message>
+        <source>method of the threshold</source>
+        <translation>閾値の測定方法</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::MotorPresenter</name>
@@ -14327,6 +14709,52 @@ Review</source>
     </message>
 </context>
 <context>
+    <name>facenav::ui::OfferPanel</name>
+    <message>
+        <source>offered target</source>
+        <translation>候補の標的</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>Show in Plan</source>
+        <translation>計画で表示</translation>
+    </message>
+    <message>
+        <source>draws the offered coil in the head, in place of the active target&apos;s</source>
+        <translation>選択中の標的のコイルに代えて、候補のコイルを頭部に描きます</translation>
+    </message>
+    <message>
+        <source>goes to Plan, where the offered coil is drawn in the head</source>
+        <translation>計画の画面に移ります。候補のコイルを頭部に描きます</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>採用</translation>
+    </message>
+    <message>
+        <source>puts it into the plan, one step to undo; the chosen target stays as it is</source>
+        <translation>計画に加えます。1 回の操作として元に戻せます。選択中の標的は変わりません</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>puts it away; it returns only if the other program moves it</source>
+        <translation>候補から外します。ほかのプログラムが動かした場合だけ、再び現れます</translation>
+    </message>
+</context>
+<context>
+    <name>facenav::ui::OffersPresenter</name>
+    <message>
+        <source>from %1, at %2 (RAS, mm)</source>
+        <translation>%1 から、位置 %2 (RAS、mm)</translation>
+    </message>
+</context>
+<context>
     <name>facenav::ui::OutputsRow</name>
     <message>
         <source>serve poses</source>
@@ -14359,6 +14787,10 @@ Review</source>
     <message>
         <source>nobody is connected</source>
         <translation>接続はありません</translation>
+    </message>
+    <message>
+        <source>outputs to other programs</source>
+        <translation>ほかのプログラムへの出力</translation>
     </message>
 </context>
 <context>
@@ -14490,6 +14922,14 @@ Review</source>
         <source>no overlay</source>
         <translation>オーバーレイなし</translation>
     </message>
+    <message>
+        <source>overlays</source>
+        <translation>オーバーレイ</translation>
+    </message>
+    <message>
+        <source>space of the next file</source>
+        <translation>次のファイルの空間</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::OverridePanel</name>
@@ -14586,6 +15026,10 @@ Review</source>
     <message>
         <source>a target at the cortex under the crosshair (Ctrl+T)</source>
         <translation>十字線の下の皮質に標的を作ります (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>coordinates x y z, mm</source>
+        <translation>座標 x y z (mm)</translation>
     </message>
 </context>
 <context>
@@ -14835,6 +15279,14 @@ Review</source>
     <message>
         <source>no target chosen</source>
         <translation>標的が選ばれていません</translation>
+    </message>
+    <message>
+        <source>search the targets</source>
+        <translation>標的の検索</translation>
+    </message>
+    <message>
+        <source>note of the target</source>
+        <translation>標的のメモ</translation>
     </message>
 </context>
 <context>
@@ -15147,6 +15599,10 @@ Review</source>
     <message>
         <source>MEP</source>
         <translation>MEP</translation>
+    </message>
+    <message>
+        <source>number that is coloured</source>
+        <translation>色で示す数値</translation>
     </message>
 </context>
 <context>
@@ -15516,6 +15972,10 @@ Review</source>
         <source>left: rotate   middle: pan   right: zoom   click: choose a point   right click: menu</source>
         <translation>左: 回転   中央: 移動   右: 拡大縮小   クリック: 点を選択   右クリック: メニュー</translation>
     </message>
+    <message>
+        <source>3-D view</source>
+        <translation>3-D 表示</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::ScreensRow</name>
@@ -15752,6 +16212,10 @@ Review</source>
         <source>no sound on this machine</source>
         <translation>このコンピューターに音声出力がありません</translation>
     </message>
+    <message>
+        <source>reason of the pause</source>
+        <translation>一時停止の理由</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::SessionsPanel</name>
@@ -15942,6 +16406,10 @@ Review</source>
     <message>
         <source>%1 (Ctrl+Shift+Z)</source>
         <translation>%1 (Ctrl+Shift+Z)</translation>
+    </message>
+    <message>
+        <source>your name or initials</source>
+        <translation>氏名またはイニシャル</translation>
     </message>
 </context>
 <context>
@@ -16249,6 +16717,18 @@ Review</source>
         <source>coil.json (*.json)</source>
         <translation>coil.json (*.json)</translation>
     </message>
+    <message>
+        <source>kept pair</source>
+        <translation>保存済みのペア</translation>
+    </message>
+    <message>
+        <source>name of this pair</source>
+        <translation>このペアの名前</translation>
+    </message>
+    <message>
+        <source>coil of the library</source>
+        <translation>ライブラリのコイル</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::SetupWindow</name>
@@ -16414,6 +16894,10 @@ Review</source>
         <source>ask for: %1</source>
         <translation>依頼内容: %1</translation>
     </message>
+    <message>
+        <source>note of the sign-off</source>
+        <translation>承認のメモ</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::SignOffPresenter</name>
@@ -16493,10 +16977,6 @@ Review</source>
         <translation>矢状断</translation>
     </message>
     <message>
-        <source>left: crosshair   wheel: slice   right: zoom   middle: pan   Ctrl+left: window/level   double click: choose   R: zoom, pan and window as at first   right click: menu</source>
-        <translation>左: 十字線   ホイール: 断面   右: 拡大縮小   中央: 移動   Ctrl+左: ウィンドウ/レベル   ダブルクリック: 選択   R: 倍率、位置、階調を最初の状態に   右クリック: メニュー</translation>
-    </message>
-    <message>
         <source>1:1</source>
         <translation>1:1</translation>
     </message>
@@ -16519,6 +16999,14 @@ Review</source>
     <message>
         <source>outside the scan</source>
         <translation>スキャンの外</translation>
+    </message>
+    <message>
+        <source>slice, %1</source>
+        <translation>断面、%1</translation>
+    </message>
+    <message>
+        <source>left: crosshair   wheel, page up and down: slice   right: zoom   middle: pan   Ctrl+left: window/level   double click: choose   R: zoom, pan and window as at first   right click: menu</source>
+        <translation>左: 十字線   ホイール、Page Up/Page Down: 断面   右: 拡大縮小   中央: 移動   Ctrl+左: ウィンドウ/レベル   ダブルクリック: 選択   R: 倍率、位置、階調を最初の状態に   右クリック: メニュー</translation>
     </message>
 </context>
 <context>
@@ -16772,6 +17260,160 @@ Review</source>
     </message>
 </context>
 <context>
+    <name>facenav::ui::TrackerPanel</name>
+    <message>
+        <source>Or another tracker, without cameras</source>
+        <translation>または別の追跡装置 (カメラなし)</translation>
+    </message>
+    <message>
+        <source>coil</source>
+        <translation>コイル</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server of the tracker, and the name of the coil&apos;s pose there</source>
+        <translation>追跡装置の OpenIGTLink サーバーと、そこでのコイルの姿勢の名前</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>name of the pose of the tool on the head, at the same server</source>
+        <translation>頭に付けたツールの姿勢の、同じサーバーでの名前</translation>
+    </message>
+    <message>
+        <source>second coil</source>
+        <translation>第 2 コイル</translation>
+    </message>
+    <message>
+        <source>name of the second coil&apos;s pose there; may stay empty</source>
+        <translation>同じサーバーでの第 2 コイルの姿勢の名前。空欄でも構いません</translation>
+    </message>
+    <message>
+        <source>Use this tracker</source>
+        <translation>この追跡装置を使う</translation>
+    </message>
+    <message>
+        <source>in place of cameras, from now on</source>
+        <translation>今後、カメラの代わりに使います</translation>
+    </message>
+    <message>
+        <source>other tracker: %1</source>
+        <translation>別の追跡装置: %1</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>a file, or touch points below</source>
+        <translation>ファイル、または下で点に触れる</translation>
+    </message>
+    <message>
+        <source>JSON file: how the tool on the head stands to the MRI, and its error</source>
+        <translation>JSON ファイル: 頭に付けたツールの MRI に対する姿勢と、その誤差</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>ファイルを選ぶ…</translation>
+    </message>
+    <message>
+        <source>JSON file with mri_T_subject, or with points touched on the head</source>
+        <translation>mri_T_subject、または頭で触れた点を含む JSON ファイル</translation>
+    </message>
+    <message>
+        <source>Alignment of the tracker</source>
+        <translation>追跡装置の位置合わせ</translation>
+    </message>
+    <message>
+        <source>Alignment (*.json)</source>
+        <translation>位置合わせ (*.json)</translation>
+    </message>
+    <message>
+        <source>pointer</source>
+        <translation>ポインター</translation>
+    </message>
+    <message>
+        <source>name of the pointer&apos;s pose there; its origin is the tip</source>
+        <translation>同じサーバーでのポインターの姿勢の名前。原点は先端です</translation>
+    </message>
+    <message>
+        <source>error of a point?</source>
+        <translation>1 点の誤差は?</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>error of a touched point</source>
+        <translation>触れた点の誤差</translation>
+    </message>
+    <message>
+        <source>root mean square error of one touched point: tracker, pointer and hand together</source>
+        <translation>触れた 1 点の二乗平均平方根誤差: 追跡装置、ポインター、手を合わせた値</translation>
+    </message>
+    <message>
+        <source>Align by points</source>
+        <translation>点で位置合わせ</translation>
+    </message>
+    <message>
+        <source>fits the touched points to the MRI and keeps them in the case</source>
+        <translation>触れた点を MRI に合わせ、症例に保存します</translation>
+    </message>
+    <message>
+        <source>hold the pointer&apos;s tip to this place, then press</source>
+        <translation>ポインターの先端をこの場所に当ててから押してください</translation>
+    </message>
+    <message>
+        <source>Touch: %1 %2</source>
+        <translation>触れる: %1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>facenav::ui::TrackerPresenter</name>
+    <message>
+        <source>another tracker, %1</source>
+        <translation>別の追跡装置、%1</translation>
+    </message>
+    <message>
+        <source>not in use</source>
+        <translation>使用していません</translation>
+    </message>
+    <message>
+        <source>the tracker does not answer; it is asked again and again</source>
+        <translation>追跡装置の応答がありません。問い合わせを繰り返しています</translation>
+    </message>
+    <message>
+        <source>the head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>the coil</source>
+        <translation>コイル</translation>
+    </message>
+    <message>
+        <source>use the tracker first</source>
+        <translation>先に追跡装置を使用してください (手順 1)</translation>
+    </message>
+    <message>
+        <source>the pointer</source>
+        <translation>ポインター</translation>
+    </message>
+    <message>
+        <source>%1 is seen</source>
+        <translation>%1が見えています</translation>
+    </message>
+    <message>
+        <source>%1 is not seen</source>
+        <translation>%1が見えません</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>facenav::ui::TreatPresenter</name>
     <message>
         <source>no pulses from outside: %1</source>
@@ -16853,6 +17495,14 @@ Review</source>
         <source>not aligned in this session</source>
         <translation>このセッションでは位置合わせ未実施</translation>
     </message>
+    <message>
+        <source>ALIGNING: the tracker&apos;s alignment is read</source>
+        <translation>位置合わせ中: 追跡装置の位置合わせを読み込んでいます</translation>
+    </message>
+    <message>
+        <source>a second coil needs its name at the tracker (step 1), and that name a coil</source>
+        <translation>第 2 コイルには追跡装置での名前 (手順 1) が必要です。名前がある場合は、第 2 コイルの選択が必要です</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::TreatSide</name>
@@ -16891,6 +17541,10 @@ Review</source>
     <message>
         <source>the alignment by eye: the MRI&apos;s skin over the pictures, and the coil&apos;s tip or a clicked spot on the face</source>
         <translation>目視による位置合わせの確認: 画像に重ねた MRI の皮膚と、コイルの先端または顔の上でクリックした点</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>ツール</translation>
     </message>
 </context>
 <context>
@@ -17022,6 +17676,18 @@ Review</source>
     <message>
         <source>the coil that is held: %1</source>
         <translation>手に持つコイル: %1</translation>
+    </message>
+    <message>
+        <source>TRACKER on</source>
+        <translation>追跡装置 動作中</translation>
+    </message>
+    <message>
+        <source>TRACKER away</source>
+        <translation>追跡装置 接続なし</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>標的</translation>
     </message>
 </context>
 <context>
@@ -17178,6 +17844,10 @@ Review</source>
     <message>
         <source>Cases folder</source>
         <translation>症例フォルダー</translation>
+    </message>
+    <message>
+        <source>filter of the worklist</source>
+        <translation>ワークリストの絞り込み</translation>
     </message>
 </context>
 <context>

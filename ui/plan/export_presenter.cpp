@@ -39,14 +39,13 @@ QString writtenDicom(const casefile::CaseStore& store, const DicomWish& wish, co
                      TaskMonitor& monitor) {
   const auto& order = wish.order;
   const QString place = QString::fromStdString(order.output.string());
-  using P = ExportPresenter;
   switch (wish.kind) {
     case DicomKind::series:
-      return P::tr("Written: %1 images with the patient's name in %2")
+      return ExportPresenter::tr("Written: %1 images with the patient's name in %2")
           .arg(steps::exportDicomMr(store, order, monitor).images)
           .arg(place);
     case DicomKind::segments:
-      return P::tr("Written: segments of %1 targets with the patient's name in %2")
+      return ExportPresenter::tr("Written: segments of %1 targets with the patient's name in %2")
           .arg(steps::exportDicomSegments(store, order, monitor).targets.size())
           .arg(place);
     case DicomKind::report:
@@ -54,7 +53,7 @@ QString writtenDicom(const casefile::CaseStore& store, const DicomWish& wish, co
         throw Error("the file exists already", order.output.string(), "choose another name, or --replace");
       steps::writeReportDocument(store, casefile::findSession(store.folder(), wish.session.toStdString()),
                                  pdf, order.source, order.output, monitor);
-      return P::tr("Written: the report with the patient's name in %1").arg(place);
+      return ExportPresenter::tr("Written: the report with the patient's name in %1").arg(place);
   }
   return {};
 }

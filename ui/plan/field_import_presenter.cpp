@@ -91,7 +91,7 @@ QString FieldImportPresenter::words() const {
                         .arg(field_->percentile_99_9, 0, 'g', 3)
                         .arg(field_->rate_A_per_us)
                         .arg(figure(p.x(), 1), figure(p.y(), 1), figure(p.z(), 1)),
-                    QString::fromStdString(field_->words)};
+                    inWindowWords(field_->words)};
   for (const auto& note : field_->notes) lines << inWindowWords(note);
   return lines.join("\n");
 }

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "plan/head_presenter.h"
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
@@ -152,7 +153,8 @@ void TrackerPanel::showState() {
     const QString name = button->property("landmark").toString();
     const bool is_touched = tracker_.isTouched(name);
     touched += is_touched;
-    button->setText(tr("Touch: %1 %2").arg(name, QChar(is_touched ? 0x2713 : 0x25cb)));
+    const QString words = landmarkWords(surface::landmarkFrom(name.toStdString()));
+    button->setText(tr("Touch: %1 %2").arg(words, QChar(is_touched ? 0x2713 : 0x25cb)));
     button->setEnabled(tracker_.isConnected() && !treat_.isRunning());
   }
   by_points_->setEnabled(touched >= 3 && error_->value() > 0 && !treat_.isRunning());

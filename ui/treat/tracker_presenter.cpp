@@ -5,6 +5,7 @@
 #include "facenav/casefile/landmarks_file.h"
 #include "facenav/core/error.h"
 #include "facenav/treat/served_tracker.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -13,10 +14,9 @@ constexpr const char *kWords = "tracker/coil", *kHead = "tracker/head", *kSecond
 constexpr const char* kAlignmentFile = "tracker_alignment.json";  // in the case
 
 QString seenWords(const links::IgtlReading& reading, const QString& tool) {
-  using P = TrackerPresenter;
-  if (reading.pose) return P::tr("%1 is seen").arg(tool);
-  return reading.fault.empty() ? P::tr("%1 is not seen").arg(tool)
-                               : P::tr("%1: %2").arg(tool, QString::fromStdString(reading.fault));
+  if (reading.pose) return TrackerPresenter::tr("%1 is seen").arg(tool);
+  return reading.fault.empty() ? TrackerPresenter::tr("%1 is not seen").arg(tool)
+                               : TrackerPresenter::tr("%1: %2").arg(tool, shownWords(reading.fault));
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ bool TrackerPresenter::open() {
     const auto served = links::servedPoseFrom(tracker_.words);
     watch_ = std::make_unique<links::IgtlClient>(served.host, served.port);
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
     return false;
   }
   emit opened();
@@ -125,7 +125,7 @@ void TrackerPresenter::alignByPoints(double error_mm) {
     tracker_.alignment = file;
     emit alignmentChanged();
   } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
+    emit refused(shownWords(error));
   }
   emit changed();
 }

@@ -205,7 +205,7 @@ void TreatPresenter::alignByFile() {
               return [this, aligned] {
                 use(aligned);
                 for (const auto& caution : aligned.outcome->result.cautions)
-                  emit refused(QString::fromStdString(caution));
+                  emit refused(shownWords(caution));
                 emit changed();
               };
             });
