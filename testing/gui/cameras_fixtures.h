@@ -104,7 +104,7 @@ class CamerasTest : public ::testing::Test {
   void guide() {
     ASSERT_NO_FATAL_FAILURE(takeBoth());
     treat_->align(true);
-    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_->isRunning(); }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat_->isRunning(); }));
   }
   void openCameras() {
     cameras().setRigFile(QString::fromStdString((folder_.path() / "stereo.yml").string()));

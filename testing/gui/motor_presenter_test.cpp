@@ -29,7 +29,7 @@ class MotorPresenterTest : public ::testing::Test {
     treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), 1500).string()));
     settle();
     treat_.align(true);
-    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 1; }));
   }
   void settle() {

@@ -48,7 +48,7 @@ class TreatField : public ::testing::Test {
     treat_.openRecording(QString::fromStdString(writeRecording(folder_.path(), 3000).string()));
     settle();
     treat_.align(true);
-    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
     ASSERT_TRUE(fixtures::waitFor([&] { return treat_.state()->frame > 1; }));
   }
   void settle() {

@@ -34,7 +34,7 @@ class TreatPresenterTest : public ::testing::Test {
   }
   void guide() {
     treat_.align(true);
-    ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
+    ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
   }
   void settle() {
     fixtures::waitFor([&] { return !tasks_.isRunning(); });
@@ -68,7 +68,7 @@ TEST_F(TreatPresenterTest, ACaseThatNobodySignedOffIsNotTreatedWithoutAnOverride
   ASSERT_TRUE(treat_.mayTreat());
   EXPECT_EQ(model_.current().store.provenance().back().step, "override");
   treat_.align(true);
-  ASSERT_TRUE(fixtures::waitFor([\& ] { return treat_.isRunning(); }));
+  ASSERT_TRUE(fixtures::waitFor([&] { return treat_.isRunning(); }));
   treat_.countPulse();
   EXPECT_TRUE(fixtures::waitFor([&] { return treat_.pulses() == 1; }));
   treat_.end();

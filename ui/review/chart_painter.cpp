@@ -38,7 +38,7 @@ void paintWords(QPainter& painter, const ChartShape& s, ChartPaper paper) {
   font.setPixelSize(s.is_bold ? 13 : 11);
   font.setBold(s.is_bold);
   painter.setFont(font);
-  const QString words = paper == ChartPaper::dark ? shownWords(s.text) : QString::fromStdString(s.text);
+  const QString words = paper == ChartPaper::window ? shownWords(s.text) : QString::fromStdString(s.text);
   const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(words);
   const double back = s.anchor == ChartShape::Anchor::left     ? 0
                       : s.anchor == ChartShape::Anchor::middle ? width / 2

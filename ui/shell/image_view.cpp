@@ -50,8 +50,8 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
   if (image_.isNull() || !place().contains(event->pos())) return;
   const QRect drawn = place();
   const QPointF at = QPointF(event->pos() - drawn.topLeft()) + QPointF(0.5, 0.5);
-  const auto px = [](double at, int shown, int size) {
-    return std::clamp(at * size / shown - 0.5, 0.0, size - 1.0);
+  const auto px = [](double along, int shown, int size) {
+    return std::clamp(along * size / shown - 0.5, 0.0, size - 1.0);
   };
   emit clicked({px(at.x(), drawn.width(), image_.width()), px(at.y(), drawn.height(), image_.height())});
 }

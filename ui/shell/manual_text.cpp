@@ -29,7 +29,8 @@ QString withPictures(QString markdown) {
     if (QFile::exists(fileOf(name))) page += "![" + words + "](" + name + ")\n\n*" + words + "*";
   }
   static const QRegularExpression kComment("^<!-- .* -->$", QRegularExpression::MultilineOption);
-  return (page + markdown.mid(written)).remove(kComment);
+  page += markdown.mid(written);
+  return page.remove(kComment);
 }
 
 }  // namespace
