@@ -100,6 +100,7 @@ TEST(SliceViews, SayTheirNumberPlaceAndValueAndComeBackToHowTheyWere) {
   QWheelEvent up({50, 50}, {50, 50}, {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
   for (int i = 0; i < 6; ++i) QApplication::sendEvent(axial, &up);
   EXPECT_EQ(axial->caption(), (QStringList{"axial  24/50", "I 6.0 mm", "value 160"}));
+  axial->setFocus();  // its frame is part of the picture
   QApplication::processEvents();
   const QImage before = axial->grab().toImage();
   const auto upset = [&] {

@@ -19,6 +19,7 @@ inline void setWords(QAbstractButton& button, const QString& words) {
 /// Leaves room for the longest of these texts, so that its neighbours keep their places. A primary button has
 /// bold letters while it can be pressed.
 inline void keepWidthOf(const QStringList& texts, QAbstractButton& button) {
+  button.ensurePolished();  // the sheet sets the weight
   const auto width_px = [&](const QString& words, int weight) {
     QFont font = button.font();
     font.setWeight(weight);

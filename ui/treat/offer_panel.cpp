@@ -37,7 +37,7 @@ OfferPanel::OfferPanel(OffersPresenter& offers, Page page, QWidget* parent)
   row->addWidget(names_, 1);
   column->addLayout(row);
   words_ = new QLabel(this);
-  words_->setObjectName("figures_text");
+  words_->setObjectName("offer_words");
   makeNarrow(*words_);
   column->addWidget(words_);
   auto* buttons = new QWidget(this);
