@@ -69,6 +69,8 @@ class MenusTest : public ::testing::Test {
       const std::string name =
           std::string(fresh[i]->metaObject()->className()) + " " + fresh[i]->objectName().toStdString();
       ASSERT_STREQ(changed[i]->metaObject()->className(), fresh[i]->metaObject()->className());
+      // Qt's own bars of a scroll area change places among its children when one comes into view.
+      if (fresh[i]->objectName().startsWith("qt_scrollarea")) continue;
       EXPECT_EQ(changed[i]->minimumSize(), fresh[i]->minimumSize()) << name;
       EXPECT_EQ(changed[i]->maximumSize(), fresh[i]->maximumSize()) << name;
       EXPECT_EQ(changed[i]->font().pointSizeF(), fresh[i]->font().pointSizeF()) << name;

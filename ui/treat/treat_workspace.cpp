@@ -89,9 +89,8 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&model_, &CaseModel::opened, this, markOutdated);
   connect(&model_, &CaseModel::planChanged, this, markOutdated);
   connect(&model_, &CaseModel::signOffChanged, this, &TreatWorkspace::showSteps);
-  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this, [this] {
-    if (isVisible()) keepWidthOf(guideWords(), *guide_);
-  });
+  connect(&TextScaleNotice::instance(), &TextScaleNotice::changed, this,
+          [this] { keepWidthOf(guideWords(), *guide_); });
   showSteps();
   showStage(!presenter_.hasRecording());
 }
