@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "shell/appearance.h"
 #include "shell/narrow_label.h"
 
 namespace facenav::ui {
@@ -37,6 +38,7 @@ HandlePanel::HandlePanel(PlanPresenter& presenter, QWidget* parent) : QFrame(par
       "handle: 0\u00b0 points straight back, + turns its front to the midline; over forehead and occiput it "
       "is measured from superior; below: how the coil's plate stands on the head"));
   makeNarrow(*contact_);
+  whenTextScales(this, [this] { keepLines(*contact_); });
   grid->addWidget(contact_, 4, 0, 1, 4);
   grid->setColumnStretch(1, 1);
   connect(left_, &QPushButton::clicked, this, [this] { presenter_.turnActive(-5); });
@@ -89,6 +91,13 @@ void HandlePanel::showPlan() {
   for (auto* button : {left_, right_}) button->setEnabled(may_change);
   contact_->setText(active ? presenter_.handleWords(*active) + "\n" + presenter_.contactWords(*active)
                            : QString());
+  keepLines(*contact_);
+}
+
+void HandlePanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  layout()->activate();  // the label's width is the new one
+  keepLines(*contact_);
 }
 
 }  // namespace facenav::ui

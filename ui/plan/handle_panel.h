@@ -19,6 +19,9 @@ class HandlePanel : public QFrame {
  public:
   explicit HandlePanel(PlanPresenter& presenter, QWidget* parent = nullptr);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   /// A field for one number, and why the last one was refused.
   struct Field {

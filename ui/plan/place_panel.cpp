@@ -16,8 +16,7 @@
 namespace facenav::ui {
 namespace {
 
-constexpr int kLines = 4;     // RAS, MNI, the region, its Brodmann area
-constexpr int kLine_px = 18;  // of its letters
+constexpr int kLines = 4;  // RAS, MNI, the region, its Brodmann area
 
 }  // namespace
 
@@ -31,10 +30,7 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setToolTip(tr("mm; RAS of the patient's scan, MNI and labels through the atlas registered to it"));
   makeNarrow(*words_);
-  whenTextScales(this, [this] {
-    words_->setMinimumHeight(sized(kLine_px * kLines));  // the fields stay in place
-    leaveRoom();
-  });
+  whenTextScales(this, [this] { leaveRoom(); });
   frame_ = new QComboBox(this);
   frame_->setAccessibleName(tr("what the typed numbers are"));
   frame_->addItems({tr("MNI"), tr("RAS")});
@@ -69,7 +65,9 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
 
 void PlacePanel::show(const Point<Mri>& crosshair) {
   crosshair_ = crosshair;
-  words_->setText(presenter_.describe(crosshair));
+  const QString words = presenter_.describe(crosshair);
+  const int fewer = std::max(0, kLines - 1 - int(words.count('\n')));
+  words_->setText(words + QString(fewer, '\n'));  // the fields stay in place
   leaveRoom();
   if (!presenter_.hasAtlas()) frame_->setCurrentIndex(1);
 }
@@ -79,6 +77,13 @@ void PlacePanel::leaveRoom() {
   for (const QString& word : words_->text().split(QRegularExpression("\\s+")))
     longest_px = std::max(longest_px, words_->fontMetrics().horizontalAdvance(word));
   words_->setMinimumWidth(longest_px);
+  keepLines(*words_);
+}
+
+void PlacePanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  layout()->activate();  // the label's width is the new one
+  keepLines(*words_);
 }
 
 void PlacePanel::takeFocus() {

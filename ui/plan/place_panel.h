@@ -27,6 +27,9 @@ class PlacePanel : public QFrame {
   /// The user wants a target at the crosshair.
   void targetWanted(double x_mm, double y_mm, double z_mm);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   /// Makes room for the longest word: an atlas' label cannot be broken.
   void leaveRoom();

@@ -15,4 +15,11 @@ inline void makeNarrow(QLabel& label) {
   label.setSizePolicy(policy);
 }
 
+/// Makes the height that the label's lines need at its width its least height: a column that is short of room
+/// gives less than that.
+inline void keepLines(QLabel& label) {
+  const int needed_px = label.heightForWidth(label.width());
+  if (needed_px >= 0) label.setMinimumHeight(needed_px);
+}
+
 }  // namespace facenav::ui

@@ -21,12 +21,18 @@ constexpr double kMostError_mm = 50;  // as treat/tracker_alignment.h takes it
 
 TrackerPanel::TrackerPanel(TreatPresenter& treat, QWidget* parent)
     : QFrame(parent), treat_(treat), tracker_(treat.tracker()) {
-  auto* column = new QVBoxLayout(this);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* opener = new QPushButton(tr("Or another tracker, without cameras"), this);
+  opener->setObjectName("tool");
+  opener->setCheckable(true);
+  auto* body = new QWidget(this);  // long, and not for most clinics
+  auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* heading = new QLabel(tr("Or another tracker, without cameras"), this);
-  heading->setObjectName("heading");
-  makeNarrow(*heading);
-  column->addWidget(heading);
+  outer->addWidget(opener);
+  outer->addWidget(body);
+  body->hide();
+  connect(opener, &QPushButton::toggled, body, &QWidget::setVisible);
   coil_ = addLine(*column, tr("coil"), QStringLiteral("igtl://127.0.0.1/Coil1ToTracker"),
                   tr("OpenIGTLink server of the tracker, and the name of the coil's pose there"));
   head_ = addLine(*column, tr("head"), QStringLiteral("SubjectToTracker"),
@@ -47,6 +53,7 @@ TrackerPanel::TrackerPanel(TreatPresenter& treat, QWidget* parent)
     tracker_.open();
   });
   connect(&treat_, &TreatPresenter::changed, this, &TrackerPanel::showState);
+  opener->setChecked(!tracker_.tracker().words.empty());
   timer_.setInterval(kTrackerRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { isVisible() ? showState() : timer_.stop(); });
   showState();
