@@ -11802,10 +11802,6 @@
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>Or a recording</source>
-        <translation>または記録を使う</translation>
-    </message>
-    <message>
         <source>Open a recording…</source>
         <translation>記録を開く…</translation>
     </message>

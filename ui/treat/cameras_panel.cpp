@@ -40,6 +40,8 @@ void setPrimary(QPushButton& button, bool is_primary) {
   button.style()->polish(&button);
 }
 
+constexpr int kVerdict_px = 71;  // two lines of the verdict's letters and its edge
+
 /// Lets the layout choose the box's width, not its longest name.
 void setNarrow(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -55,12 +57,12 @@ CamerasPanel::CamerasPanel(TreatPresenter& presenter, QWidget* parent)
   column->addWidget(label(tr("Cameras"), "heading", this));
   state_ = label({}, "verdict", this);
   column->addWidget(state_);  // first: with large text the rest is below the fold
+  whenTextScales(this, [this] { state_->setMinimumHeight(sized(kVerdict_px)); });  // the buttons stay
   addChoice(*column);
   addCapture(*column);
   coil_words_ = label({}, "plain", this);
   column->addWidget(coil_words_);
   column->addStretch(1);
-  column->addWidget(label(tr("Or a recording"), "heading", this));
   auto* recording = button(tr("Open a recording\u2026"), tr("a folder with stereo.yml, played as if live"),
                            Qt::CTRL + Qt::SHIFT + Qt::Key_R);
   column->addWidget(recording);
