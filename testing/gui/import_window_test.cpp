@@ -275,8 +275,9 @@ TEST_F(ImportWindows, AnExportOffersTheTargetsAndANameWithoutThePatient) {
   EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked);
   const QString written = path("targets.txt");
   file->setText(written);
+  QApplication::setActiveWindow(exports);
   QTest::keyClick(exports, Qt::Key_Return, Qt::ControlModifier);
-  EXPECT_TRUE(QFileInfo::exists(written));
+  EXPECT_TRUE(fixtures::waitFor([&] { return QFileInfo::exists(written); }));
   auto* formats = exports->findChild<QComboBox*>();
   applyAppearance(*qApp, 2.0);
   exports->resize(1366, 736);

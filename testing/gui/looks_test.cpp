@@ -118,6 +118,32 @@ class Looks : public ::testing::Test {
 MainWindow* Looks::window_ = nullptr;
 testing::TemporaryFolder* Looks::folder_ = nullptr;
 
+/// Parts whose content differs from run to run.
+const QStringList kChanging{"worklist",    "sessions",     "pulses",    "session",
+                            "report_text", "session_time", "last_pulse"};
+
+// The first test: the window is as at its start.
+TEST_F(Looks, EveryPageLooksAsKeptInBothThemes) {
+  const testing::KeptPictures kept(std::filesystem::path(FACENAV_SOURCE_DIR) / "testing/gui/pictures",
+                                   testing::KeptPictures::useFromEnvironment());
+  changeTextScale(*qApp, 1.0);
+  window_->resize(kSmall);
+  QCursor::setPos(QGuiApplication::primaryScreen()->geometry().bottomRight());
+  QApplication::setCursorFlashTime(0);
+  for (const auto choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    changeTheme(*qApp, choice);
+    const QString theme = choice == ThemeChoice::light ? "light_" : "dark_";
+    onEveryPage([&](const char* page) {
+      if (QLatin1String(page) == "6_treat_figures") return;  // as 6_treat_aim
+      const QString name = theme + page;
+      if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
+        window_->grab().save(QString("%1/%2.png").arg(pictures, name));
+      const QString fault = kept.show(name, testing::smallColouredPicture(*window_, kChanging));
+      EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
+    });
+  }
+}
+
 std::string wordsFor(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
   return std::string(widget.metaObject()->className()) + " '" +
@@ -157,10 +183,10 @@ TEST_F(Looks, EveryControlHasANameForScreenReaders) {
   EXPECT_GE(expectNames(HelpWindow::of(*window_)), 4);
 }
 
-/// True for a button that the arrow keys reach from another one of its group.
+/// True for a button of a group: Tab reaches one of them, and the arrow keys reach the others.
 bool isReachedByArrows(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-  return button && button->group() && !(button->group()->exclusive() && button->isChecked());
+  return button && button->group();
 }
 
 /// Visible controls that Tab should reach now.
@@ -245,31 +271,6 @@ TEST_F(Looks, EveryTextIsWholeOn3840By2160WithFourPixelsForOne) {
                                           "--gtest_filter=Looks.DISABLED_EveryTextIsWholeHere");
   qunsetenv("QT_SCALE_FACTOR");
   EXPECT_EQ(result.status, 0) << result.output << result.errors;
-}
-
-/// Parts whose content differs from run to run.
-const QStringList kChanging{"worklist",    "sessions",     "pulses",    "session",
-                            "report_text", "session_time", "last_pulse"};
-
-TEST_F(Looks, EveryPageLooksAsKeptInBothThemes) {
-  const testing::KeptPictures kept(std::filesystem::path(FACENAV_SOURCE_DIR) / "testing/gui/pictures",
-                                   testing::KeptPictures::useFromEnvironment());
-  changeTextScale(*qApp, 1.0);
-  window_->resize(kSmall);
-  QCursor::setPos(QGuiApplication::primaryScreen()->geometry().bottomRight());
-  QApplication::setCursorFlashTime(0);
-  for (const auto choice : {ThemeChoice::light, ThemeChoice::dark}) {
-    changeTheme(*qApp, choice);
-    const QString theme = choice == ThemeChoice::light ? "light_" : "dark_";
-    onEveryPage([&](const char* page) {
-      if (QLatin1String(page) == "6_treat_figures") return;  // as 6_treat_aim
-      const QString name = theme + page;
-      if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
-        window_->grab().save(QString("%1/%2.png").arg(pictures, name));
-      const QString fault = kept.show(name, testing::smallColouredPicture(*window_, kChanging));
-      EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
-    });
-  }
 }
 
 }  // namespace
