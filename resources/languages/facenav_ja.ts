@@ -17258,6 +17258,10 @@ Review</source>
 <context>
     <name>facenav::ui::TrackerPanel</name>
     <message>
+        <source>poses of head and coil from OpenIGTLink</source>
+        <translation>頭とコイルの姿勢を OpenIGTLink から受け取ります</translation>
+    </message>
+    <message>
         <source>Or another tracker, without cameras</source>
         <translation>または別の追跡装置 (カメラなし)</translation>
     </message>

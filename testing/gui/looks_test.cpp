@@ -138,6 +138,9 @@ TEST_F(Looks, EveryPageLooksAsKeptInBothThemes) {
       const QString name = theme + page;
       if (const char* pictures = std::getenv("FACENAV_GUI_PICTURES"))
         window_->grab().save(QString("%1/%2.png").arg(pictures, name));
+      QApplication::setActiveWindow(window_);
+      if (auto* focused = QApplication::focusWidget()) focused->clearFocus();
+      settle();
       const QString fault = kept.show(name, testing::smallColouredPicture(*window_, kChanging));
       EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
     });

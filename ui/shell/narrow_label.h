@@ -2,6 +2,9 @@
 // A label that wraps its text and never widens its container.
 
 #include <QLabel>
+#include <algorithm>
+
+#include "shell/appearance.h"
 
 namespace facenav::ui {
 
@@ -15,11 +18,11 @@ inline void makeNarrow(QLabel& label) {
   label.setSizePolicy(policy);
 }
 
-/// Makes the height that the label's lines need at its width its least height: a column that is short of room
-/// gives less than that.
+/// Keeps the height of the label's lines in a column that is short of room, as it is with large text. With
+/// usual text the column has that room, and the lists in it need every line.
 inline void keepLines(QLabel& label) {
-  const int needed_px = label.heightForWidth(label.width());
-  if (needed_px >= 0) label.setMinimumHeight(needed_px);
+  constexpr double kLarge = 1.25;
+  label.setMinimumHeight(textScale() > kLarge ? std::max(0, label.heightForWidth(label.width())) : 0);
 }
 
 }  // namespace facenav::ui

@@ -26,6 +26,7 @@ TrackerPanel::TrackerPanel(TreatPresenter& treat, QWidget* parent)
   auto* opener = new QPushButton(tr("Or another tracker, without cameras"), this);
   opener->setObjectName("tool");
   opener->setCheckable(true);
+  opener->setToolTip(tr("poses of head and coil from OpenIGTLink"));
   auto* body = new QWidget(this);  // long, and not for most clinics
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
