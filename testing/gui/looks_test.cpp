@@ -141,7 +141,13 @@ TEST_F(Looks, EveryPageLooksAsKeptInBothThemes) {
       QApplication::setActiveWindow(window_);
       if (auto* focused = QApplication::focusWidget()) focused->clearFocus();
       settle();
-      const QString fault = kept.show(name, testing::smallColouredPicture(*window_, kChanging));
+      if (kept.use() != testing::KeptPictures::Use::compare) QTest::qWait(10 * kSettle_ms);
+      QString fault;  // a view may draw a moment later
+      for (int tries = 0; tries < 40; ++tries) {
+        fault = kept.show(name, testing::smallColouredPicture(*window_, kChanging));
+        if (fault.isEmpty()) break;
+        QTest::qWait(4 * kSettle_ms);
+      }
       EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
     });
   }

@@ -232,4 +232,12 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   scene_->attach(renderWindow());  // keeps the shape of the head icon
 }
 
+/// A view that was hidden has its size only now.
+void SceneView::paintGL() {
+  const int* size = renderWindow()->GetSize();
+  const QSize now(size[0], size[1]);
+  if (now != std::exchange(attached_px_, now)) scene_->attach(renderWindow());
+  QVTKOpenGLNativeWidget::paintGL();
+}
+
 }  // namespace facenav::ui

@@ -60,6 +60,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void focusOutEvent(QFocusEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void paintGL() override;
 
  private:
   std::unique_ptr<scene::NavigationScene> scene_;
@@ -75,6 +76,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   double whole_ms_ = 0.0;
   bool is_quick_ = false, is_skin_shown_ = true;
+  QSize attached_px_;  // size of the window that the scene was placed for
 };
 
 }  // namespace facenav::ui
