@@ -20,7 +20,7 @@ struct Page {
   std::function<void(MainWindow&)> show;
 };
 
-/// In the order of the clinic's path. To be shown in a window with an open case.
+/// Lists the pages in the order of the clinic's path. The window needs an open case.
 std::vector<Page> everyPage();
 
 /// The visible button with these words; null: none.

@@ -50,7 +50,7 @@ class ExportPresenter : public QObject {
 
  signals:
   void refused(const QString& words);
-  /// One line for each thing that was done.
+  /// Says each thing that was done in a line of its own.
   void written(const QString& words);
   void progressed(const QString& words);
 

@@ -16,6 +16,7 @@
 
 #include "facenav/report/local_time.h"
 #include "plan/other_words.h"
+#include "shell/field_label.h"
 #include "shell/help_window.h"
 #include "shell/narrow_label.h"
 #include "shell/work_area.h"
@@ -25,13 +26,6 @@ namespace {
 
 constexpr QSize kExportSize{680, 520};
 constexpr const char* kEverySession = "*";  // beside the names of sessions; never one of them
-
-QLabel* exportLabel(const QString& words, QWidget* field, QWidget* parent) {
-  auto* label = new QLabel(words, parent);
-  label->setBuddy(field);
-  field->setAccessibleName(QString(words).remove('&'));
-  return label;
-}
 
 }  // namespace
 
@@ -108,11 +102,11 @@ void ExportWindow::makeFields(QGridLayout& grid) {
   targets_->setToolTip(tr("Space: take the target or leave it out"));
   pulses_ = new QComboBox(this);
   pulses_->setToolTip(tr("the session whose pulses go into the file"));
-  grid.addWidget(exportLabel(tr("&Format"), formats_, this), 0, 0);
+  grid.addWidget(fieldLabel(tr("&Format"), formats_, this), 0, 0);
   grid.addWidget(formats_, 0, 1, 1, 2);
-  grid.addWidget(exportLabel(tr("&Targets"), targets_, this), 1, 0, Qt::AlignTop);
+  grid.addWidget(fieldLabel(tr("&Targets"), targets_, this), 1, 0, Qt::AlignTop);
   grid.addWidget(targets_, 1, 1, 1, 2);
-  grid.addWidget(exportLabel(tr("&Pulses"), pulses_, this), 2, 0);
+  grid.addWidget(fieldLabel(tr("&Pulses"), pulses_, this), 2, 0);
   grid.addWidget(pulses_, 2, 1, 1, 2);
   grid.setRowStretch(1, 1);
   connect(formats_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportWindow::showFormat);
@@ -127,7 +121,7 @@ void ExportWindow::makeSource(QGridLayout& grid) {
   source_->setPlaceholderText(tr("folder of the original DICOM files"));
   choose_source_ = new QPushButton(tr("C&hoose\u2026"), this);
   choose_source_->setToolTip(tr("where the original DICOM files are"));
-  source_label_ = exportLabel(tr("&Source"), source_, this);
+  source_label_ = fieldLabel(tr("&Source"), source_, this);
   grid.addWidget(source_label_, 3, 0);
   grid.addWidget(source_, 3, 1);
   grid.addWidget(choose_source_, 3, 2);
@@ -143,7 +137,7 @@ void ExportWindow::makeFile(QGridLayout& grid) {
   replaces_ = new QCheckBox(tr("&Replace a file of this name"), this);
   sends_ = new QCheckBox(tr("Send it to the &archive, %1").arg(presenter_.archiveWords()), this);
   sends_->setToolTip(tr("after it is written; the archive is set up in Prepare, page Archive"));
-  grid.addWidget(exportLabel(tr("F&ile"), file_, this), 4, 0);
+  grid.addWidget(fieldLabel(tr("F&ile"), file_, this), 4, 0);
   grid.addWidget(file_, 4, 1);
   grid.addWidget(choose, 4, 2);
   grid.addWidget(replaces_, 5, 1, 1, 2);

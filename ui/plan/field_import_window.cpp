@@ -12,6 +12,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "shell/field_label.h"
 #include "shell/help_window.h"
 #include "shell/narrow_label.h"
 #include "shell/scroll_column.h"
@@ -23,13 +24,6 @@ namespace {
 
 constexpr QSize kFieldImportSize{680, 420};
 constexpr double kLeastRate_A_per_us = 0.001, kMostRate_A_per_us = 1000;
-
-QLabel* fieldLabel(const QString& words, QWidget* field, QWidget* parent) {
-  auto* label = new QLabel(words, parent);
-  label->setBuddy(field);
-  field->setAccessibleName(QString(words).remove('&'));
-  return label;
-}
 
 }  // namespace
 

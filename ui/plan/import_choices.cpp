@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "shell/elided_label.h"
+#include "shell/field_label.h"
 #include "shell/narrow_label.h"
 #include "shell/users_words.h"
 
@@ -17,13 +18,6 @@ namespace facenav::ui {
 namespace {
 
 constexpr double kFarthestZone_h = 14;
-
-QLabel* importLabel(const QString& words, QWidget* field, QWidget* parent) {
-  auto* label = new QLabel(words, parent);
-  label->setBuddy(field);
-  field->setAccessibleName(QString(words).remove('&'));
-  return label;
-}
 
 }  // namespace
 
@@ -44,9 +38,9 @@ ImportChoices::ImportChoices(ImportPresenter& presenter, QWidget* parent)
   form_ = new QComboBox(this);
   form_->addItems({tr("as the file says"), tr("sform"), tr("qform")});
   form_->setToolTip(tr("the form of the T1's NIfTI that the coordinates mean; open only where they differ"));
-  grid->addWidget(importLabel(tr("Coo&rdinates"), space_, this), 1, 0);
+  grid->addWidget(fieldLabel(tr("Coo&rdinates"), space_, this), 1, 0);
   grid->addWidget(space_, 1, 1);
-  grid->addWidget(importLabel(tr("&Form"), form_, this), 1, 2);
+  grid->addWidget(fieldLabel(tr("&Form"), form_, this), 1, 2);
   grid->addWidget(form_, 1, 3);
   makeT1(*grid, 2);
   handle_ = new QComboBox(this);
@@ -59,9 +53,9 @@ ImportChoices::ImportChoices(ImportPresenter& presenter, QWidget* parent)
       tr("of coordinates that lie between the ears; the file does not say which way x points"));
   replaces_ = new QCheckBox(tr("Re&place"), this);
   replaces_->setToolTip(tr("targets of the same name with another pose; locked ones stay"));
-  grid->addWidget(importLabel(tr("&Handle"), handle_, this), 3, 0);
+  grid->addWidget(fieldLabel(tr("&Handle"), handle_, this), 3, 0);
   grid->addWidget(handle_, 3, 1);
-  grid->addWidget(importLabel(tr("Head fra&me"), frame_, this), 3, 2);
+  grid->addWidget(fieldLabel(tr("Head fra&me"), frame_, this), 3, 2);
   grid->addWidget(frame_, 3, 3);
   grid->addWidget(replaces_, 4, 2, 1, 2);
   clock_ = new QDoubleSpinBox(this);
@@ -70,7 +64,7 @@ ImportChoices::ImportChoices(ImportPresenter& presenter, QWidget* parent)
   clock_->setSingleStep(1);
   clock_->setSuffix(tr(" h"));
   clock_->setToolTip(tr("hours that the clock of the file's pulses is ahead of UTC"));
-  clock_words_ = importLabel(tr("C&lock ahead of UTC"), clock_, this);
+  clock_words_ = fieldLabel(tr("C&lock ahead of UTC"), clock_, this);
   grid->addWidget(clock_words_, 4, 0);
   grid->addWidget(clock_, 4, 1);
   connectAnswers();

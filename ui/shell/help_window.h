@@ -22,7 +22,7 @@ class HelpWindow : public QWidget {
   static HelpWindow& of(QWidget& window);
   /// Lets F1 open this place of the manual in `window`, or the place of the part that has the focus.
   static void addKey(QWidget& window, const QString& page, const QString& heading);
-  /// As above; the heading is asked for when the key is pressed.
+  /// Does the same; it asks for the heading when the key is pressed.
   static void addKey(QWidget& window, const QString& page, const std::function<QString()>& heading);
   /// Gives a part of a window its own place in the manual.
   static void setPlace(QWidget& part, const QString& page, const QString& heading);

@@ -142,7 +142,7 @@ constexpr DrawnPair kDrawn[] = {
     {Colour::picture_text, Colour::picture},
     {Colour::picture_text, Colour::scene_high},
     {Colour::picture_words, Colour::scene_low, kShape},
-    // At home and the set-up of the cameras.
+    // The next colours are for home and for the set-up of the cameras.
     {Colour::now, Colour::window},
     {Colour::good, Colour::window},
     {Colour::stop_words, Colour::window},

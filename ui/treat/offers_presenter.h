@@ -38,7 +38,7 @@ class OffersPresenter : public QObject {
   /// True while a target is taken: the plan changes, the chosen target stays.
   bool isTaking() const { return is_taking_; }
 
-  /// For the server, which hands orders over, and for what obeys them and then calls tellNews().
+  /// The server hands orders over here. Who obeys them calls tellNews() afterwards.
   steps::LiveOrders& orders() { return orders_; }
   void tellNews() { emit changed(); }
   /// Forgets all offers: another case was opened.

@@ -48,7 +48,7 @@ FaceLandmarks withLandmarks(const LandmarkModel& model, const cv::Mat& grey, con
 
 std::vector<FaceLandmarks> landmarkReadings(const LandmarkModel& model, const cv::Mat& grey,
                                             const FaceLandmarks& face) {
-  // About the steps of the detector: its boxes are off by up to half of them.
+  // Steps of the detector's own boxes, in position and scale; its box may be off by half a step.
   constexpr double kScales[] = {0.86, 1.0, 1.16};
   constexpr double kShifts[][2] = {{0, 0}, {-0.08, 0}, {0.08, 0}, {0, -0.08}, {0, 0.08}};
   const SearchWindow window = windowAround(grey, face, face.face.width);

@@ -67,8 +67,8 @@ DepthPlane planeThrough(const std::vector<Eigen::Vector3d>& points) {
   return plane;
 }
 
-/// Draws the landmarks along their rays towards their common plane, by the share of their scatter that is not
-/// the relief of a face: landmarks of a far face are off by centimetres in depth.
+/// Draws the landmarks along their rays towards their common plane. The depths of a far face scatter by
+/// centimetres; the scatter beyond a face's own relief is taken away.
 void steadyDepths(Triangulated& points) {
   constexpr double kRelief_mm = 10.0;  // of brows, eyes, nose, mouth and jaw about a plane
   std::vector<Eigen::Vector3d> seen;

@@ -201,7 +201,7 @@ TEST(FaceCheck, NamesARemovedOrNoisyFaceAtAnyTurnOfTheHead) {
       for (int i = 0; i < noisy.grid.size[0]; ++i)
         if (in_face(noisy.grid.toMri({double(i), double(j), double(k)}).mm))
           noisy.voxels[noisy.grid.index(i, j, k)] = std::abs(normal(random));
-  // Two turns for each way, every turn for one of them.
+  // Each way meets two turns, and each turn meets one way.
   for (const auto& [defaced, which] : {std::pair(&zeroed, 0), {&zeroed, 1}, {&noisy, 1}, {&noisy, 2}}) {
     const auto& turn = kTurns_deg[which];
     const auto scalp = scalpOf(turned(*defaced, turn[0], turn[1]));

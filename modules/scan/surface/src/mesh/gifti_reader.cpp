@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostInflation = 1100;  // zlib makes no more than 1032 bytes of one
 
-/// One array of the file being read.
+/// Holds one array of the file that is read.
 struct ArraySource {
   pugi::xml_node node;
   std::filesystem::path path;

@@ -20,7 +20,7 @@ struct RadialShell {
   Eigen::VectorXd cosines() const;
 };
 
-/// The same surface by its distances in other directions, each linear between the old ones.
+/// Gives the same surface by its distances in other directions, each linear between the old ones.
 RadialShell inDirections(const RadialShell& shell, const ShellMesh& directions);
 /// Mean of each value with its neighbours' on the mesh, `steps` times. It leaves a ball a ball.
 Eigen::VectorXd smoothedOn(const ShellMesh& mesh, Eigen::VectorXd values, int steps);

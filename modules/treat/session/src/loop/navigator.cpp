@@ -28,7 +28,7 @@ std::unique_ptr<monitoring::BesideCoilWatch> makeGapWatch(const NavigatorSetup& 
       monitoring::BesideCoilWatch::Mode::own_thread);
 }
 
-/// No coil is on target under an alignment that is too uncertain.
+/// Takes "on target" away under an alignment that is too uncertain.
 void withholdUncertain(const ChosenTarget& chosen, guidance::GuidanceState& guidance) {
   if (guidance.state != guidance::State::on_target) return;
   const std::string uncertain = tooUncertainInWords(chosen);

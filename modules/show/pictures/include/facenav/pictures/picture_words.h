@@ -10,7 +10,7 @@
 
 namespace facenav::pictures {
 
-/// One line of words, English.
+/// Holds one line of English words.
 struct PictureWords {
   std::string text;
   int left_px, base_px;  // where its base line begins

@@ -53,7 +53,7 @@ class LiveOrders {
   /// Obeys the commands that came since the last call, and judges new targets. A target that is sent again
   /// and again is judged at most once a second.
   std::vector<OrderNews> obey(Treatment& treatment, const casefile::CaseStore& store);
-  /// As above, for any receiver. `store`: null if there is no case; targets are then refused.
+  /// Does the same for any receiver. `store`: null if there is no case; targets are then refused.
   std::vector<OrderNews> obey(const OrderReceiver& receiver, const casefile::CaseStore* store);
   /// Forgets offers and case: another case was opened.
   void forget();

@@ -27,7 +27,7 @@ struct CortexField {
 /// 0.3 % of the field of a figure-8 coil. Throws Error for no points, Cancelled.
 CortexField makeCortexField(const FieldSolver& solver, const Eigen::Matrix3Xd& points_mm,
                             TaskMonitor& monitor, int most_modes = 288);
-/// The same with less memory: the solver's equations are freed when they are used up.
+/// Makes the same map with less memory: the solver's equations are freed when they are used up.
 CortexField makeCortexField(FieldSolver&& solver, const Eigen::Matrix3Xd& points_mm, TaskMonitor& monitor,
                             int most_modes = 288);
 
