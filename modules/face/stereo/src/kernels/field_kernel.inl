@@ -161,9 +161,14 @@ inline void solveRow(const float* const* s, float independent, int columns, floa
     const float determinant = rr * gg - rg * rg;
     const float least = 1e-3f * rr * gg;
     const float divisor = 1.0f / (determinant > least ? determinant : least);
-    const float raw_gain = (lr * gg - lg * rg) * divisor, slope = (lg * rr - lr * rg) * divisor;
-    const float gain = between(raw_gain, kLeastGain, kMostGain);
-    const float residual = ll - raw_gain * lr - slope * lg;
+    const float raw_gain = (lr * gg - lg * rg) * divisor;
+    // The gain is the ratio of the contrasts. A regression's is too small by the noise of the right picture, and a
+    // shading that it does not explain moves the disparity.
+    const float ratio = lr > 0.0f ? std::sqrt((ll > kFlat ? ll : kFlat) / rr) : kLeastGain;
+    const float gain = between(ratio, kLeastGain, kMostGain);
+    const float unexplained = lg - gain * rg, slope = unexplained / gg;
+    const float residual = ll - 2.0f * gain * lr + gain * gain * rr - slope * unexplained;
+    const float uncorrelated = ll - raw_gain * lr - (lg * rr - lr * rg) * divisor * lg;
     const float noise = (residual > 0 ? residual : 0.0f) + kLeastNoise;
     // 2 x 2 pixels a node: m is the share of the window that is valid, in pixels of 4 a node.
     const float count = 0.25f * m * independent;
@@ -171,7 +176,7 @@ inline void solveRow(const float* const* s, float independent, int columns, floa
     sigma[i] =
         std::sqrt(noise * rr * divisor / (kNoiseShare * gain * gain * (count > 1e-3f ? count : 1e-3f)));
     correlation[i] = raw_gain > kLeastGain && raw_gain < kMostGain && m > 2.0f
-                         ? 1.0f - residual / (ll + kLeastNoise)
+                         ? 1.0f - uncorrelated / (ll + kLeastNoise)
                          : 0.0f;
   }
 }

@@ -279,13 +279,18 @@ inline void addAlong(const float* __restrict from, int pitch, int columns, float
   }
 }
 
-inline void solvePhotometry(const float* __restrict s, int pitch, int columns, float* __restrict offset,
+// Gain and offset. Before the first fit (`is_fit` false) by regression, since pictures that do not lie on each other
+// yet differ by more than noise. Later by the ratio of the contrasts: a regression's gain is too small by the noise
+// of the right picture, and a shading that it does not explain moves the disparity.
+inline void solvePhotometry(const float* __restrict s, int pitch, int columns, bool is_fit, float* __restrict offset,
                             float* __restrict gain) {
   for (int i = 0; i < columns; ++i) {
     const float inverse = 1.0f / (s[kM * pitch + i] + 1e-6f);
     const float r = s[kR * pitch + i] * inverse, l = s[kL * pitch + i] * inverse;
     const float rr = s[kRr * pitch + i] * inverse - r * r + kFlat, lr = s[kLr * pitch + i] * inverse - l * r;
-    const float k = between(lr / rr, kLeastGain, kMostGain);
+    const float ll = s[kLl * pitch + i] * inverse - l * l + kFlat;
+    const float ratio = lr > 0.0f ? std::sqrt((ll > kFlat ? ll : kFlat) / rr) : kLeastGain;
+    const float k = between(is_fit ? ratio : lr / rr, kLeastGain, kMostGain);
     gain[i] = k;
     offset[i] = l - k * r;
   }
@@ -319,7 +324,9 @@ inline void solvePlanes(const float* __restrict s, int pitch, int columns, float
     a_to[i] = between(a0 + (m01 * z + m11 * zu + m12 * zv) * divisor, -kSteepest, kSteepest);
     b_to[i] = between(b0 + (m02 * z + m12 * zu + m22 * zv) * divisor, -kSteepest, kSteepest);
     sigma[i] = std::sqrt(noise * (1.0f / kNoiseShare) * noise_factor * m00 * divisor);
-    correlation[i] = m > 0.5f * full ? 1.0f - residual / (ll + kLeastNoise) : 0.0f;
+    const float r = s[kR * pitch + i] * inverse, rr = s[kRr * pitch + i] * inverse - r * r;
+    const float lr = s[kLr * pitch + i] * inverse - l * r;
+    correlation[i] = m > 0.5f * full && lr > 0.0f ? lr * lr / ((ll + kLeastNoise) * (rr + kLeastNoise)) : 0.0f;
   }
 }
 
@@ -348,7 +355,7 @@ inline void step(const ImageRows& im, const Field& from, const Window& window, b
     for (int i = -r; i <= r; ++i)
       addAlong(across + 8, pitch, columns, window.weights[i < 0 ? -i : i], i, total);
     const std::int64_t at = std::int64_t(middle) * to.stride;
-    solvePhotometry(total, pitch, columns, to.offset + at, to.gain + at);
+    solvePhotometry(total, pitch, columns, is_fit, to.offset + at, to.gain + at);
     if (is_fit)
       solvePlanes(total, pitch, columns, window.noise_factor, full, from.d + at, from.a + at, from.b + at,
                   from.a_prior + at, from.b_prior + at, to.d + at, to.a + at, to.b + at, to.sigma + at,
