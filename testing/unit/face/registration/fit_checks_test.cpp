@@ -28,7 +28,7 @@ using testing::modelHead;
 FitEvidence rightHead() {
   FitEvidence evidence;
   evidence.closeness = {3000, 0.95, 0.15, 110.0};
-  evidence.predicted_error_mm = 0.5, evidence.misfit_mm = 0.2, evidence.mirror_log_odds = 20;
+  evidence.predicted_error_mm = 0.5, evidence.misfit_mm = 0.2, evidence.mirror_log_odds = 60;
   evidence.scale = 1.001, evidence.scale_sigma = 0.002;
   evidence.own_log_odds = 30;
   return evidence;
@@ -57,8 +57,10 @@ const Verdict kVerdicts[] = {
      [](FitLimits& l) { l.least_own = 1; }},
     {"least_extent_mm", [](FitEvidence& e) { e.closeness.extent_mm = 40; }, "too little of the face",
      [](FitLimits& l) { l.least_extent_mm = 35; }},
-    {"least_own", [](FitEvidence& e) { e.mirror_log_odds = 0.5; },
-     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.least_own = 0.2; }},
+    {"least_unmirrored", [](FitEvidence& e) { e.mirror_log_odds = 15; },
+     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.least_unmirrored = 10; }},
+    {"chosen_parts", [](FitEvidence& e) { e.closeness.bare_share = 0.3; },
+     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.chosen_parts = 60; }},
     {"rival", [](FitEvidence& e) { e.rival_log_odds = 2; }, "fits in two places",
      [](FitLimits& l) { l.rival = 1.5; }},
     {"refused_scale_z", [](FitEvidence& e) { e.fitting_scale = 1.06; }, "106.0 % of its size",

@@ -20,6 +20,7 @@ namespace facenav::registration {
 namespace {
 
 constexpr double kNear_mm = 6.0;           // counts for the extent of the measured face
+constexpr double kWholeFace = 0.8;         // share of bare skin of a face that nothing covers
 constexpr double kFarFromMirrored = 30.0;  // log odds beyond which no closer comparison is needed
 
 Eigen::Isometry3d settle(const FieldFitter& fitter, Eigen::Isometry3d pose, float from_mm, double noise_mm) {
@@ -216,6 +217,14 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
       evidence.own_log_odds);
 }
 
+/// Least log odds against the mirror image. It stands for another person too: coarsely measured strangers fit
+/// both nearly as well. Where much counts as covered, the fit could choose the parts that lie on the skin,
+/// and strangers fit there by chance.
+double leastUnmirrored(double bare_share) {
+  const FitLimits& limits = settingsOf<FitLimits>();
+  return limits.least_unmirrored + limits.chosen_parts * std::max(0.0, kWholeFace - bare_share);
+}
+
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {
   throw CameraTurned(
       "not aligned: the face fits this MRI only if a camera has turned sideways since the calibration (by " +
@@ -256,8 +265,7 @@ void requireLikeness(const FitEvidence& evidence) {
            "import the MRI again from its DICOM files");
   if (is_resized) refuseSize(evidence.fitting_scale);
   if (!is_own) refuseAsAnother(evidence);
-  // The mirror image stands for another person, too: coarsely measured strangers fit it nearly as well.
-  if (evidence.mirror_log_odds < limits.least_own)
+  if (evidence.mirror_log_odds < leastUnmirrored(evidence.closeness.bare_share))
     refuseAsTooLittle("the face cannot be distinguished from its mirror image",
                       "bring the cameras nearer, project dots, and show more of the face to both cameras; "
                       "check that this is the patient's own MRI, its left and right not swapped");
