@@ -16,7 +16,7 @@ import core_sentences
 import update
 
 WIDGETS = re.compile(r"^(set(Text|ToolTip|StatusTip|WhatsThis|Title|WindowTitle|PlaceholderText|AccessibleName|AccessibleDescription|Suffix|Prefix"
-                     r"|HeaderLabels|HorizontalHeaderLabels|TabText)|add(Action|Menu|Item|Items|Tab|Button|Section)|showMessage|refused|said"
+                     r"|HeaderLabels|HorizontalHeaderLabels|TabText)|add(Action|Menu|Item|Items|Tab|Button|Section)|showMessage|refused|said|drawText"
                      r"|QLabel|QPushButton|QToolButton|QCheckBox|QRadioButton|QGroupBox|QAction|QMenu|ElidedLabel|NarrowLabel)$")
 MARKED = ("tr", "translate", "shownWords", "QT_TRANSLATE_NOOP", "toString", "fromString")
 NO_CLASS = "Class 'facenav::ui' lacks"  # functions of the namespace translate in its name

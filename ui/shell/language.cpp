@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFontMetrics>
 #include <QImage>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -26,6 +27,7 @@ namespace {
 const char* const kRemembered = "appearance/language";
 const char* const kEnglish = "en";
 const char* const kInForce = "language";  // property of the application
+constexpr int kLeast_px = 8;              // smallest letters in a picture
 
 /// "ja" of "ja_JP" or "ja-JP"; empty if there is no such language here.
 QString known(const QString& locale) {
@@ -45,22 +47,31 @@ void install(QCoreApplication& application, const QString& name, const QString& 
     delete translator;
 }
 
-/// Paints and translates words in a camera's picture.
+/// Paints and translates words in a camera's picture; smaller where they would leave it.
 void paintPictureWords(const pictures::PicturePixels& on, const pictures::PictureWords& words) {
   QImage image(on.rgb, on.width_px, on.height_px, int(on.row_bytes), QImage::Format_RGB888);
   QPainter painter(&image);
+  const QString shown = shownWords(words.text);
+  const int room_px = on.width_px - words.left_px;
   QFont font;
-  font.setPixelSize(std::max(8, words.height_px * 4 / 3));  // of a capital letter to that of the font
+  font.setPixelSize(std::max(kLeast_px, words.height_px * 4 / 3));  // of a capital letter to that of the font
+  while (font.pixelSize() > kLeast_px && QFontMetrics(font).horizontalAdvance(shown) > room_px)
+    font.setPixelSize(font.pixelSize() - 1);
   painter.setFont(font);
   painter.setPen(QColor(words.colour[0], words.colour[1], words.colour[2]));
-  painter.drawText(words.left_px, words.base_px, shownWords(words.text));
+  painter.drawText(words.left_px, words.base_px, shown);
 }
 
-/// Letters for the scenes: Debian's Japanese font, whichever is installed, or DejaVu for other letters.
-std::filesystem::path sceneFont(const QString& code) {
-  const std::filesystem::path fonts = "/usr/share/fonts/truetype";
-  const auto font = fonts / (code == "ja" ? "fonts-japanese-gothic.ttf" : "dejavu/DejaVuSans.ttf");
-  return std::filesystem::exists(font) ? font : std::filesystem::path();
+/// Letters for the scenes: Debian's Japanese font, whichever is installed, and DejaVu. A name may have
+/// Japanese letters in a window of any language.
+scene::TextFonts sceneFonts(const QString& code) {
+  const auto installed = [](const char* file) {
+    const auto font = std::filesystem::path("/usr/share/fonts/truetype") / file;
+    return std::filesystem::exists(font) ? font : std::filesystem::path();
+  };
+  const auto japanese = installed("fonts-japanese-gothic.ttf"), western = installed("dejavu/DejaVuSans.ttf");
+  if (code == kEnglish) return {{}, japanese};
+  return code == "ja" ? scene::TextFonts{japanese, japanese} : scene::TextFonts{western, japanese};
 }
 
 }  // namespace
@@ -99,7 +110,7 @@ void applyLanguage(QCoreApplication& application, const QString& code) {
   application.setProperty(kInForce, taken);
   const bool is_english = taken == kEnglish;
   pictures::setWordsPainter(is_english ? pictures::WordsPainter() : paintPictureWords);
-  scene::setTextFont(is_english ? std::filesystem::path() : sceneFont(taken));
+  scene::setTextFonts(sceneFonts(taken));
   if (is_english) return useSentencesOf(nullptr);
   install(application, "qtbase_" + taken, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   install(application, "facenav_" + taken, ":/languages");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
 #include "facenav/core/error.h"
 
 namespace facenav::pictures {
@@ -43,20 +44,21 @@ class Marks {
     cv::Mat slice(grid_.size[1], grid_.size[0], CV_8U,
                   marks_.data() + grid_.index(0, 0, std::clamp(k, 0, grid_.size[2] - 1)));
     cv::Mat edge = cv::Mat::zeros(slice.size(), CV_8U), mark = edge.clone();
-    cv::putText(edge, words, {i, j}, kFont, scale, cv::Scalar(kEdge), 3);
-    cv::putText(mark, words, {i, j}, kFont, scale, cv::Scalar(kMark), 1);
+    drawFileWords(edge, words, {i, j}, letters(scale, kEdge, 3));
+    drawFileWords(mark, words, {i, j}, letters(scale, kMark, 1));
     cv::max(slice, edge, slice);
     cv::max(slice, mark, slice);
   }
   static cv::Size sizeOf(const std::string& words, double scale) {
-    int below = 0;
-    return cv::getTextSize(words, kFont, scale, 1, &below);
+    return sizeOfWords(words, letters(scale, kMark, 1));
   }
 
   const std::vector<std::uint8_t>& values() const { return marks_; }
 
  private:
-  static constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  static Letters letters(double scale, std::uint8_t mark, int thickness) {
+    return {scale, cv::Scalar(mark), thickness, cv::FONT_HERSHEY_SIMPLEX, cv::LINE_8};
+  }
 
   void dot(const Vector3d& p_mm) {
     const Vector3d at = voxel_from_mri_ * p_mm;
@@ -130,16 +132,6 @@ volume::Mask ballAt(const volume::VoxelGrid& grid, const Point<Mri>& place, doub
   return ball;
 }
 
-/// The name as the font can draw it: '?' for a character that is not ASCII.
-std::string drawable(const std::string& name) {
-  std::string words;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) != 0x80) words += byte < 0x80 ? c : '?';
-  }
-  return words;
-}
-
 /// Largest scale up to `most` in which the words fit into the width.
 double scaleFor(const std::string& words, int width_px, double most) {
   const int needed_px = std::max(1, Marks::sizeOf(words, 1.0).width);
@@ -149,7 +141,7 @@ double scaleFor(const std::string& words, int width_px, double most) {
 /// Writes the name beside the cross, on the slices that cut its arms across.
 void markName(Marks& marks, const volume::VoxelGrid& grid, const guidance::Target& target) {
   const Vector3d at = grid.toVoxel(target.cortex_point), step_mm = grid.spacing_mm();
-  const std::string name = drawable(target.name);
+  const std::string& name = target.name;
   const double most = 0.4 * std::max(1.0, grid.size[0] / 256.0);
   const double scale = scaleFor(name, grid.size[0] / 2, most);
   const cv::Size size = Marks::sizeOf(name, scale);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
+
 namespace facenav::pictures {
 
 std::optional<cv::Point> CameraView::toPixel(const Eigen::Vector3d& p_camera_mm) const {
@@ -57,15 +59,14 @@ void drawAxis(CameraView& view, const RigidTransform<Camera, Coil>& camera_T_coi
 }
 
 void drawCaption(CameraView& view, const std::string& words, bool is_lost) {
-  const double scale = 0.52 * view.unit;
-  int below = 0;
-  const cv::Size size = cv::getTextSize(words, cv::FONT_HERSHEY_DUPLEX, scale, view.thickness(1), &below);
+  const Letters letters{0.52 * view.unit, is_lost ? kOrange : kGrey, view.thickness(1),
+                        cv::FONT_HERSHEY_DUPLEX};
+  const cv::Size size = sizeOfWords(words, letters);
   const int pad = int(7 * view.unit);
   cv::Mat band =
       view.image(cv::Rect(0, 0, view.image.cols, std::min(view.image.rows, size.height + 3 * pad)));
   cv::addWeighted(band, 0.30, cv::Mat(band.size(), band.type(), kDark), 0.70, 0, band);
-  drawWords(view, words, {pad + pad / 2, size.height + pad + pad / 2}, scale, is_lost ? kOrange : kGrey,
-            view.thickness(1));
+  drawShownWords(view.image, words, {pad + pad / 2, size.height + pad + pad / 2}, letters);
 }
 
 }  // namespace facenav::pictures

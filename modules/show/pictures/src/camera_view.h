@@ -39,10 +39,7 @@ void drawTarget(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mr
                 const guidance::Target& target);
 /// Draws the coil's axis, from above the plate into the head.
 void drawAxis(CameraView& view, const RigidTransform<Camera, Coil>& camera_T_coil);
-/// Draws a line of words in OpenCV's letters, or by the window's painter (pictures/picture_words.h). `scale`,
-/// `thickness`: as cv::putText takes them.
-void drawWords(CameraView& view, const std::string& words, const cv::Point& base_px, double scale,
-               const cv::Scalar& colour, int thickness);
+/// Draws a dark band with words along the upper edge.
 void drawCaption(CameraView& view, const std::string& words, bool is_lost);
 
 }  // namespace facenav::pictures

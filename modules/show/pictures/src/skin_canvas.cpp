@@ -5,6 +5,8 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
+
 namespace facenav::pictures {
 namespace {
 
@@ -71,15 +73,13 @@ void drawDot(SkinCanvas& canvas, const Vector3d& p_mm, const std::string& word, 
   const cv::Point p = canvas.at(p_mm);
   cv::circle(canvas.image, p, 4, cv::Scalar(0, 0, 0), cv::FILLED, cv::LINE_AA);
   cv::circle(canvas.image, p, 3, colour, cv::FILLED, cv::LINE_AA);
-  cv::putText(canvas.image, word, p + cv::Point(6, -4), cv::FONT_HERSHEY_SIMPLEX, 0.36, cv::Scalar(0, 0, 0),
-              2, cv::LINE_AA);
-  cv::putText(canvas.image, word, p + cv::Point(6, -4), cv::FONT_HERSHEY_SIMPLEX, 0.36, colour, 1,
-              cv::LINE_AA);
+  drawFileWords(canvas.image, word, p + cv::Point(6, -4), {0.36, cv::Scalar(0, 0, 0), 2});
+  drawFileWords(canvas.image, word, p + cv::Point(6, -4), {0.36, colour});
 }
 
 void drawTitle(SkinCanvas& canvas) {
-  cv::putText(canvas.image, canvas.view.title, {8, canvas.image.rows - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.5,
-              cv::Scalar(200, 205, 215), 1, cv::LINE_AA);
+  drawFileWords(canvas.image, canvas.view.title, {8, canvas.image.rows - 8},
+                {0.5, cv::Scalar(200, 205, 215)});
 }
 
 RgbImage sideBySide(const std::vector<SkinCanvas>& canvases) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
 #include "to_rgb.h"
 
 namespace facenav::pictures {
@@ -26,8 +27,7 @@ void drawScale(cv::Mat& image, double full_mm) {
   std::snprintf(words, sizeof words, "inside -%.1f mm      outside +%.1f mm    grey: not counted", full_mm,
                 full_mm);
   const double size = 0.45 * image.rows / 480.0;
-  cv::putText(image, words, {left, top + height + int(36 * size)}, cv::FONT_HERSHEY_SIMPLEX, size,
-              cv::Scalar(255, 255, 255), 1, cv::LINE_AA);
+  drawFileWords(image, words, {left, top + height + int(36 * size)}, {size, cv::Scalar(255, 255, 255)});
 }
 
 }  // namespace

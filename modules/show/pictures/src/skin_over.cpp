@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
 #include "skin_depth.h"
 
 namespace facenav::pictures {
@@ -68,7 +69,8 @@ void drawPlace(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri
   for (const cv::Point way : {cv::Point(arm, 0), cv::Point(0, arm)})
     cv::line(view.image, *px - way, *px + way, kOrange, view.thickness(1.4), cv::LINE_AA, 4);
   const cv::Point base_px(px->x / 16 + int(7 * view.unit), px->y / 16 - int(5 * view.unit));
-  drawWords(view, place.name, base_px, 0.45 * view.unit, kOrange, view.thickness(0.9));
+  drawShownWords(view.image, place.name, base_px,
+                 {0.45 * view.unit, kOrange, view.thickness(0.9), cv::FONT_HERSHEY_DUPLEX});
 }
 
 }  // namespace

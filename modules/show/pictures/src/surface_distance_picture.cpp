@@ -6,6 +6,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "drawn_words.h"
 #include "to_rgb.h"
 
 namespace facenav::pictures {
@@ -67,8 +68,7 @@ cv::Mat drawn(const BrainSide& view, const surface::DetailedCortex& cortex,
   }
   cv::Mat small;
   cv::resize(image, small, {}, 1.0 / kFiner, 1.0 / kFiner, cv::INTER_AREA);
-  cv::putText(small, view.title, {8, 14}, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar(200, 205, 215), 1,
-              cv::LINE_AA);
+  drawFileWords(small, view.title, {8, 14}, {0.42, cv::Scalar(200, 205, 215)});
   return small;
 }
 
@@ -81,7 +81,7 @@ void drawLegend(cv::Mat strip, const surface::ModelDistance& figures, double ful
                 const DistanceColour& colour) {
   const cv::Scalar ink(215, 220, 228);
   const auto write = [&](const std::string& text, const cv::Point& at) {
-    cv::putText(strip, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, ink, 1, cv::LINE_AA);
+    drawFileWords(strip, text, at, {0.42, ink});
   };
   constexpr int kLeft = 14, kWidth = 360, kTop = 12, kBottom = 30;
   for (int c = 0; c <= kWidth; ++c) {

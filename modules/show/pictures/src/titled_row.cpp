@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <opencv2/imgproc.hpp>
+
+#include "drawn_words.h"
 
 namespace facenav::pictures {
 namespace {
@@ -27,8 +28,7 @@ RgbImage titledRow(const std::vector<TitledPicture>& pictures) {
   int left = 0;
   for (const auto& picture : pictures) {
     paste(picture.image, row, left, kRowTitle_px);
-    cv::putText(canvas, picture.title, {left + 6, kRowTitle_px - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
-                cv::Scalar(200, 205, 215), 1, cv::LINE_AA);
+    drawFileWords(canvas, picture.title, {left + 6, kRowTitle_px - 8}, {0.45, cv::Scalar(200, 205, 215)});
     left += picture.image.width_px + kBetween_px;
   }
   return row;

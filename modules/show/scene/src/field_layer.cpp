@@ -138,14 +138,13 @@ struct FieldLayer::Implementation {
     ball->Update();
     add(makeActor(ball->GetOutput(), kWhite));
     auto words = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-    words->SetInput(picture.peak_words.c_str());
+    setWords(*words, picture.peak_words);
     words->SetPosition(above_mm.x(), above_mm.y(), above_mm.z());
     words->GetTextProperty()->SetFontSize(int(std::lround(kWords_pt * text_scale)));
     words->GetTextProperty()->SetColor(kWhite[0], kWhite[1], kWhite[2]);
     words->GetTextProperty()->SetBackgroundColor(0, 0, 0);  // the coil is nearly always above them
     words->GetTextProperty()->SetBackgroundOpacity(kBehindWords);
     words->GetTextProperty()->BoldOn();
-    useTextFont(*words->GetTextProperty());
     words->GetTextProperty()->SetJustificationToCentered();
     add(words);
   }

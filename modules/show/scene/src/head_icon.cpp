@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "facenav/scene/palette.h"
+#include "scene_text.h"
 
 namespace facenav::scene {
 namespace {
@@ -59,7 +60,7 @@ HeadIcon::HeadIcon() {
 
 void HeadIcon::addLetter(const char* letter, double x, double y, double z) {
   auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-  text->SetInput(letter);
+  setWords(*text, letter);
   text->SetPosition(x, y, z);
   text->GetTextProperty()->SetFontSize(kLetter);
   text->GetTextProperty()->BoldOn();

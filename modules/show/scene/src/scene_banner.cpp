@@ -55,7 +55,6 @@ std::string inLines(const std::string& words, int count) {
 SceneBanner::SceneBanner() {
   vtkTextProperty* style = actor_->GetTextProperty();
   style->SetFontSize(kFontSize);
-  useTextFont(*style);
   style->BoldOn();
   style->SetJustificationToCentered();
   style->SetVerticalJustificationToCentered();
@@ -80,7 +79,7 @@ void SceneBanner::setTextScale(double scale) {
 }
 
 bool SceneBanner::fitsInto(vtkViewport* viewport, const std::string& lines, int font_size) {
-  actor_->SetInput(lines.c_str());
+  facenav::scene::setWords(*actor_, lines);
   actor_->GetTextProperty()->SetFontSize(font_size);
   double size_px[2];
   actor_->GetSize(viewport, size_px);

@@ -59,13 +59,12 @@ void SiteLayer::set(const std::vector<ScalpSite>& sites, double text_scale) {
     dot->GetProperty()->SetColor(kSiteColour[0], kSiteColour[1], kSiteColour[2]);
     layer.add(dot);
     auto name = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-    name->SetInput(site.name.c_str());
+    setWords(*name, site.name);
     Eigen::Vector3d at = site.point.mm + kNameAbove_mm * (site.point.mm - middle).normalized();
     name->SetPosition(at.data());
     name->GetTextProperty()->SetFontSize(int(std::lround(kName_pt * text_scale)));
     name->GetTextProperty()->SetColor(kSiteColour[0], kSiteColour[1], kSiteColour[2]);
     name->GetTextProperty()->SetJustificationToCentered();
-    useTextFont(*name->GetTextProperty());
     layer.add(name);
   }
 }

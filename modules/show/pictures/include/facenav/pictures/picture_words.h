@@ -1,6 +1,7 @@
 #pragma once
-// Words in the cameras' pictures. OpenCV's letters are Latin alone, so a window in another language paints
-// them itself: it gives a painter, which also translates.
+// Words in the pictures that a window shows. OpenCV's letters are Latin alone, so a window in another
+// language paints them itself: it gives a painter, which also translates. Pictures that only files hold stay
+// English.
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 namespace facenav::pictures {
 
 struct TitledPicture {
-  std::string title;  // ASCII only
+  std::string title;
   RgbImage image;
 };
 
