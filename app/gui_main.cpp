@@ -14,6 +14,7 @@
 #include "facenav/core/error.h"
 #include "facenav/core/parallel_for.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/report/report_language.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/scene/display.h"
 #include "home/home_window.h"
@@ -40,7 +41,7 @@ using namespace facenav;
 struct Arguments {
   app::SettingsRequest settings;
   std::string case_folder, cases_folder, recording, workspace, step, screenshot, by, override_reason;
-  std::string report_pdf, session, home, rig, opened, theme;
+  std::string language = "en", report_pdf, session, home, rig, opened, theme;
   bool then_guides = false, has_name = false, has_no_pictures = false, is_set_up = false;
   double after_s = 3.0, text_scale = 0.0;  // 0: as last time
 };
@@ -98,6 +99,7 @@ int printReport(int argc, char** argv, const Arguments& arguments) {
   const auto session = casefile::readSession(casefile::findSession(store.folder(), arguments.session));
   report::ReportOptions options;
   options.has_name = arguments.has_name;
+  options.language = report::languageOf(arguments.language);
   if (!arguments.has_no_pictures) options.pictures = steps::pulsePictures(store, session);
   ui::writeReportPdf(report::makeSessionReport(store, session, options), arguments.report_pdf);
   return 0;
@@ -230,6 +232,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--no-pictures", arguments.has_no_pictures,
                "for --report-pdf: without pictures of the pulses on the cortex");
   cli.add_flag("--with-name", arguments.has_name, "for --report-pdf: adds the case's label");
+  cli.add_option("--language", arguments.language, "for --report-pdf: its language, en or ja");
   app::addSettingsFlags(cli, arguments.settings);
   try {
     cli.parse(argc, argv);

@@ -11,6 +11,7 @@
 #include "facenav/core/log.h"
 #include "facenav/core/standard_output.h"
 #include "facenav/core/whole_file.h"
+#include "facenav/report/report_language.h"
 #include "facenav/report/session_report.h"
 #include "facenav/review/pulse_pictures.h"
 #include "facenav/review/report_document.h"
@@ -28,6 +29,7 @@ struct ReportRequest {
   std::string session;
   std::optional<fs::path> output, pdf, dicom;
   fs::path source;
+  std::string language = "en";
   bool is_pdf_wanted = false, has_no_pictures = false;
   report::ReportOptions options;
 };
@@ -56,6 +58,7 @@ void printPdf(const ReportRequest& request, const fs::path& session_folder, cons
                                    session_folder.filename().string(),
                                    "--report-pdf",
                                    pdf.string()};
+  if (request.language != "en") command.insert(command.end(), {"--language", request.language});
   if (request.options.has_name) command.push_back("--with-name");
   if (request.has_no_pictures) command.push_back("--no-pictures");
   const auto end = ChildProcess::start(command).wait();
@@ -87,15 +90,22 @@ void requireFittingOptions(const ReportRequest& request) {
     throw WrongUsage("a DICOM object is not written to standard output", "name a file");
 }
 
+std::vector<std::string> languages() {
+  auto codes = report::languageCodes();
+  codes.insert(codes.begin(), "en");
+  return codes;
+}
+
 void makeReport(const ReportRequest& request, const Context& context) {
   requireFittingOptions(request);
+  auto options = request.options;
+  options.language = report::languageOf(request.language);
   const auto store = casefile::CaseStore::open(request.case_folder);
   const auto folder = casefile::findSession(store.folder(), request.session);
   const auto session = casefile::readSession(folder);
   if (!context.is_quiet)
     for (const auto& problem : session.pulses.problems) std::fprintf(stderr, "note: %s\n", problem.c_str());
   const auto display = request.has_no_pictures ? nullptr : displayForPictures(context);
-  auto options = request.options;
   if (!request.has_no_pictures) options.pictures = steps::pulsePictures(store, session);
   const auto page = request.output.value_or(folder / "report.html");
   writeWholeFile(page, report::sessionReport(store, session, options), FileAccess::owner_only);
@@ -131,6 +141,9 @@ void addReport(CLI::App& app, Context& context) {
       "--source", request->source,
       "of --dicom: folder of the DICOM files that the case was prepared from; patient and study are "
       "taken from there");
+  verb->add_option("--language", request->language, "of its words: en, ja; names and notes stay as they are")
+      ->check(CLI::IsMember(languages()))
+      ->capture_default_str();
   verb->add_flag("--no-pictures", request->has_no_pictures, "without pictures of the pulses on the cortex");
   verb->add_flag("--with-name", request->options.has_name, "adds the case's label (it may be a name)");
   verb->callback([&context, request] { makeReport(*request, context); });

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Lists the sentences of the modules that a window may show, one a line; %1, %2 .. stand for what is put in.
+"""Lists the sentences of the modules that a window or a report may show, one a line; %1, %2 .. stand for what is put in.
 
-Usage: core_sentences.py ROOT. It reads ROOT/modules, without those folders whose texts reach only files, logs and
+Usage: core_sentences.py ROOT [report]. It reads ROOT/modules, without those folders whose texts reach only files, logs and
 the command line. ui/shell/shown_words.cpp finds a shown text in this list; update.py takes it into the catalogues.
 """
 import itertools
@@ -9,11 +9,14 @@ import pathlib
 import re
 import sys
 
-# Their texts reach only files, logs, the report and the command line.
-LEFT_OUT = ("lab/", "show/report/src/report_", "show/report/src/session_report", "show/report/src/chart.cpp", "show/report/src/pulse_map",
+# Their words stand in a report alone, single ones too.
+REPORT = ("show/report/src/report_events", "show/report/src/report_field", "show/report/src/report_protocol", "show/report/src/report_targets",
+          "show/report/src/session_report", "show/report/include/facenav/report/session_notes.h")
+# Their texts reach only files, logs and the command line.
+LEFT_OUT = ("lab/", "show/report/src/report_html", "show/report/src/chart.cpp", "show/report/src/pulse_map",
             "base/core/src/settings", "steps/methods/", "plan/other_words", "shell/appearance", "shell/report_pdf")
 # Here a single word is shown too.
-WITH_WORDS = ("show/report/src/pulse_columns.cpp", "target/guidance/src/instruction.cpp")
+WITH_WORDS = ("steps/align/src/alignment_seen.cpp", "treat/session/src/loop/navigation_state.cpp", "show/report/src/pulse_columns.cpp", "target/guidance/src/instruction.cpp")
 UNITS = {"deg", "mm", "ms", "px"}
 TOKEN = re.compile(r'''R"(?P<d>[^(]*)\((?:.|\n)*?\)(?P=d)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|//[^\n]*|/\*(?:.|\n)*?\*/
                        |^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*|[A-Za-z_][\w:]*|\d[\w.']*|[-+]=|->|[=!<>]=|&&|\|\||<<|>>|\s+|.''', re.X | re.M)
@@ -145,30 +148,55 @@ def template(text, least_words=2):
     """The text with %1, %2 .. for its values and without loose ends; nothing if it is no sentence."""
     text = trimmed(re.sub("\0+", "\0", text))
     words = re.findall(r"(?<![\w./-])[A-Za-z]*[a-z]{2,}(?![\w/]|\.\w)", text.replace("\0", " "))
-    is_code = "\n" in text or "//" in text or re.match(r"[<{\[]", text) or least_words > 1 and not re.search(r"[a-z] | [a-z]", text)
-    if len(set(words) - UNITS) < least_words or is_code:
+    is_code = "\n" in text or "//" in text or re.match(r"[<{\[]|.*<[a-z/]", text) or least_words > 1 and not re.search(r"[a-z] | [a-z]", text)
+    is_title = least_words == 1 and re.fullmatch(r"[A-Z]{3,}( [A-Z]{3,})+", text)
+    if not is_title and (len(set(words) - UNITS) < least_words or is_code):
         return None
     numbers = itertools.count(1)
     return re.sub("\0", lambda m: "%" + str(next(numbers)), text)
 
 
-def sentences(root):
-    """Each sentence, and the file that holds it first."""
-    found = {}
+def sources(root):
+    """Each source file and its path below modules/ or ui/."""
     for folder in ("modules", "ui"):
         top = pathlib.Path(root) / folder
         for path in sorted(top.rglob("*")):
             place = path.relative_to(top).as_posix()
-            if path.suffix not in (".cpp", ".h") or "/include/" in place or place.startswith(LEFT_OUT):
-                continue
-            reader = Reader(tokens_of(path.read_text()))
-            reader.walk(reader.tree)
-            for text in reader.found:
-                if sentence := template(text, 1 if place in WITH_WORDS else 2):
-                    found.setdefault(sentence, place)
+            if path.suffix in (".cpp", ".h") and not place.startswith(LEFT_OUT):
+                yield place, path.read_text()
+
+
+def templates(text, least_words):
+    reader = Reader(tokens_of(text))
+    reader.walk(reader.tree)
+    return [sentence for each in reader.found if (sentence := template(each, least_words))]
+
+
+def sentences(root):
+    """Each sentence that the window may show, and the file that holds it first."""
+    found = {}
+    for place, text in sources(root):
+        if "/include/" in place or place.startswith(REPORT):
+            continue
+        for sentence in templates(text, 1 if place in WITH_WORDS else 2):
+            found.setdefault(sentence, place)
     return found
 
 
+def report_sentences(root):
+    """Each sentence and word that only a report shows: its own ones, and the names of a session's events."""
+    found = {}
+    for place, text in sources(root):
+        for name in re.findall(r'\baddEvent\(\s*"([^"]+)"', text):
+            found.setdefault(name, place)
+        if place.startswith(REPORT):
+            for sentence in templates(text, 1):
+                found.setdefault(sentence, place)
+    of_window = sentences(root)
+    return {sentence: place for sentence, place in found.items() if sentence not in of_window}
+
+
 if __name__ == "__main__":
-    for sentence, place in sentences(sys.argv[1]).items():
-        print(sentence if len(sys.argv) < 3 else place + "\t" + sentence)
+    listed = report_sentences if "report" in sys.argv[2:] else sentences
+    for sentence in listed(sys.argv[1]):
+        print(sentence)

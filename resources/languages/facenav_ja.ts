@@ -199,10 +199,6 @@
         <translation>&apos;facenav licences --spdx&apos; はこの一覧を部品表として書き出します。</translation>
     </message>
     <message>
-        <source>page %1 of %2</source>
-        <translation>%1/%2 ページ</translation>
-    </message>
-    <message>
         <source>Keep the picture (it may show a patient)</source>
         <translation>画像を保存 (患者が写っている可能性があります)</translation>
     </message>
@@ -6197,10 +6193,6 @@
         <translation>先に T1 のボリュームを取り出してください</translation>
     </message>
     <message>
-        <source>%13 values a voxel were expected</source>
-        <translation>%13 個の値がボクセルごとに必要です</translation>
-    </message>
-    <message>
         <source>choose a file of vectors</source>
         <translation>ベクトルのファイルを選んでください</translation>
     </message>
@@ -11243,6 +11235,30 @@
     <message>
         <source>another tracker is used</source>
         <translation>別の追跡装置に切り替わりました</translation>
+    </message>
+    <message>
+        <source>there is no report in the language &apos;%1&apos;</source>
+        <translation>言語「%1」のレポートはありません</translation>
+    </message>
+    <message>
+        <source>%1each voxel of vectors has 3 values</source>
+        <translation>%1ベクトルには各ボクセルに 3 個の値が必要です</translation>
+    </message>
+    <message>
+        <source>nasion</source>
+        <translation>鼻根点</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>先端</translation>
+    </message>
+    <message>
+        <source>HEAD LOST</source>
+        <translation>頭部の追跡喪失</translation>
+    </message>
+    <message>
+        <source>COIL LOST</source>
+        <translation>コイルの追跡喪失</translation>
     </message>
 </context>
 <context>
@@ -17970,6 +17986,693 @@ Review</source>
     <message>
         <source>What to look at</source>
         <translation>確認する点</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>changed_setting</source>
+        <translation>変更した設定</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>alignment caution</source>
+        <translation>位置合わせの注意</translation>
+    </message>
+    <message>
+        <source>pain before</source>
+        <translation>治療前の痛み</translation>
+    </message>
+    <message>
+        <source>pain after</source>
+        <translation>治療後の痛み</translation>
+    </message>
+    <message>
+        <source>threshold</source>
+        <translation>閾値</translation>
+    </message>
+    <message>
+        <source>pulse source</source>
+        <translation>パルスの入力元</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>筋</translation>
+    </message>
+    <message>
+        <source>stimulator</source>
+        <translation>刺激装置</translation>
+    </message>
+    <message>
+        <source>tip check</source>
+        <translation>先端による確認</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Pulses not on target, or excluded</source>
+        <translation>標的上でない、または除外されたパルス</translation>
+    </message>
+    <message>
+        <source>pulse</source>
+        <translation>パルス</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>%1 more: see pulses.csv</source>
+        <translation>ほか %1 件: pulses.csv を参照してください</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>detail</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>%1 more: see events.jsonl</source>
+        <translation>ほか %1 件: events.jsonl を参照してください</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s clock was set back by %1 s during the session. Times of day jump there; the column t_s of pulses.csv does not</source>
+        <translation>セッション中にコンピューターの時計が %1 s 戻されました。時刻はそこで不連続になりますが、pulses.csv の列 t_s は連続しています</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s clock was set forward by %1 s during the session. Times of day jump there; the column t_s of pulses.csv does not</source>
+        <translation>セッション中にコンピューターの時計が %1 s 進められました。時刻はそこで不連続になりますが、pulses.csv の列 t_s は連続しています</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>後ろ</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Cautions</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>tier 0: a sphere fitted to the skull under the coil, usual error 28 %</source>
+        <translation>段階 0: コイル直下の頭蓋骨に合わせた球、典型誤差 28 %</translation>
+    </message>
+    <message>
+        <source>tier 1: scalp, skull and brain of the case, usual error 23 %</source>
+        <translation>段階 1: 症例の頭皮、頭蓋骨、脳、典型誤差 23 %</translation>
+    </message>
+    <message>
+        <source>tier 2: scalp, skull, fluid and brain of the case, usual error 19 %</source>
+        <translation>段階 2: 症例の頭皮、頭蓋骨、髄液、脳、典型誤差 19 %</translation>
+    </message>
+    <message>
+        <source>tier %1</source>
+        <translation>段階 %1</translation>
+    </message>
+    <message>
+        <source>median %1, 95th percentile %2 V/m (%3 pulses)</source>
+        <translation>中央値 %1、95 パーセンタイル %2 V/m (パルス %3)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>At the target</source>
+        <translation>標的での値</translation>
+    </message>
+    <message>
+        <source>At the target, for a current that rises by 1 A/us</source>
+        <translation>標的での値、電流変化率 1 A/us あたり</translation>
+    </message>
+    <message>
+        <source>Largest on the cortex</source>
+        <translation>皮質上の最大値</translation>
+    </message>
+    <message>
+        <source>Largest on the cortex, for 1 A/us</source>
+        <translation>皮質上の最大値、1 A/us あたり</translation>
+    </message>
+    <message>
+        <source>Electric field</source>
+        <translation>電場</translation>
+    </message>
+    <message>
+        <source>Place of the largest, median</source>
+        <translation>最大値の位置、中央値</translation>
+    </message>
+    <message>
+        <source>Model of the head</source>
+        <translation>頭部モデル</translation>
+    </message>
+    <message>
+        <source>Field of the coil</source>
+        <translation>コイルの電場</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>記載なし</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>記録なし</translation>
+    </message>
+    <message>
+        <source>%1 % (%2 to %3), stated for %4 pulses</source>
+        <translation>%1 % (%2～%3)、記載のあるパルス %4</translation>
+    </message>
+    <message>
+        <source>no fixed rate</source>
+        <translation>頻度の指定なし</translation>
+    </message>
+    <message>
+        <source>%1 of %2 planned pulses were given</source>
+        <translation>計画 %2 パルスのうち %1 パルスを照射しました</translation>
+    </message>
+    <message>
+        <source>%1 are missing</source>
+        <translation>%1 パルス不足</translation>
+    </message>
+    <message>
+        <source>%1 too many</source>
+        <translation>%1 パルス超過</translation>
+    </message>
+    <message>
+        <source>%1. %2 of them were on target</source>
+        <translation>%1。うち %2 パルスが標的上でした</translation>
+    </message>
+    <message>
+        <source>%1 trains in place of %2</source>
+        <translation>トレイン数 %1 (計画 %2)</translation>
+    </message>
+    <message>
+        <source>%1 Hz in place of %2</source>
+        <translation>%1 Hz (計画 %2)</translation>
+    </message>
+    <message>
+        <source>%1 % of the output in place of %2</source>
+        <translation>出力 %1 % (計画 %2)</translation>
+    </message>
+    <message>
+        <source>Rhythm and intensity were as planned</source>
+        <translation>リズムと強度は計画どおりでした</translation>
+    </message>
+    <message>
+        <source>Not as planned: %1</source>
+        <translation>計画との相違: %1</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>パルス</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Trains</source>
+        <translation>トレイン</translation>
+    </message>
+    <message>
+        <source>Frequency in a train</source>
+        <translation>トレイン内の周波数</translation>
+    </message>
+    <message>
+        <source>%1 Hz (median)</source>
+        <translation>%1 Hz (中央値)</translation>
+    </message>
+    <message>
+        <source>Pause between trains</source>
+        <translation>トレイン間の休止</translation>
+    </message>
+    <message>
+        <source>%1 s (median)</source>
+        <translation>%1 s (中央値)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Intensity, of maximal output</source>
+        <translation>強度 (最大出力比)</translation>
+    </message>
+    <message>
+        <source>Intensity, of the motor threshold</source>
+        <translation>強度 (運動閾値比)</translation>
+    </message>
+    <message>
+        <source>Protocol against given</source>
+        <translation>計画と実施の比較</translation>
+    </message>
+    <message>
+        <source>%1, version %2. %3 %4</source>
+        <translation>%1、バージョン %2。%3 %4</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>計画</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>実施</translation>
+    </message>
+    <message>
+        <source>%1 single pulse</source>
+        <translation>単発パルス %1</translation>
+    </message>
+    <message>
+        <source>%1 single pulses</source>
+        <translation>単発パルス %1</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>パルス</translation>
+    </message>
+    <message>
+        <source>%1 train, %2 pulses each on average, %3 Hz</source>
+        <translation>トレイン %1、平均 %2 パルス、%3 Hz</translation>
+    </message>
+    <message>
+        <source>%1 trains, %2 pulses each on average, %3 Hz</source>
+        <translation>トレイン %1、平均 %2 パルス、%3 Hz</translation>
+    </message>
+    <message>
+        <source>train</source>
+        <translation>トレイン</translation>
+    </message>
+    <message>
+        <source>trains</source>
+        <translation>トレイン</translation>
+    </message>
+    <message>
+        <source>pauses of %1 s (medians)</source>
+        <translation>休止 %1 s (中央値)</translation>
+    </message>
+    <message>
+        <source>The protocol&apos;s file cannot be read</source>
+        <translation>プロトコルのファイルを読み込めません</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>標的</translation>
+    </message>
+    <message>
+        <source>No pulse was given at a target</source>
+        <translation>標的でのパルス照射はありませんでした</translation>
+    </message>
+    <message>
+        <source>%1 from anterior</source>
+        <translation>前方から %1</translation>
+    </message>
+    <message>
+        <source>%1 from superior</source>
+        <translation>上方から %1</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>前方</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>on the cortex, MRI (RAS mm)</source>
+        <translation>皮質上の点、MRI (RAS mm)</translation>
+    </message>
+    <message>
+        <source>coil&apos;s centre, MRI (RAS mm)</source>
+        <translation>コイル中心、MRI (RAS mm)</translation>
+    </message>
+    <message>
+        <source>handle (deg)</source>
+        <translation>ハンドル (deg)</translation>
+    </message>
+    <message>
+        <source>planned gap (mm)</source>
+        <translation>計画の隙間 (mm)</translation>
+    </message>
+    <message>
+        <source>%1 of it paused</source>
+        <translation>うち一時停止 %1</translation>
+    </message>
+    <message>
+        <source>the program did not run for %1 in between</source>
+        <translation>途中でプログラムが %1 停止していました</translation>
+    </message>
+    <message>
+        <source>no pulse has a pose</source>
+        <translation>姿勢のあるパルスがありません</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>coil</source>
+        <translation>コイル</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>例外</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>プロトコル</translation>
+    </message>
+    <message>
+        <source>%1 to %2 % of maximal output, stated for %3 pulses</source>
+        <translation>最大出力の %1～%2 %、記載のあるパルス %3</translation>
+    </message>
+    <message>
+        <source>%1, median / 95th percentile %2 / %3 uV, %4 of them entered after their pulse</source>
+        <translation>%1、中央値 / 95 パーセンタイル %2 / %3 uV、うち後から入力 %4</translation>
+    </message>
+    <message>
+        <source>median %1 mm</source>
+        <translation>中央値 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1～%2 mm</translation>
+    </message>
+    <message>
+        <source>95 % within %1</source>
+        <translation>95 % が %1 以内</translation>
+    </message>
+    <message>
+        <source>%1 (one standard error; 95 % not recorded)</source>
+        <translation>%1 (標準誤差; 95 % は記録なし)</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>理由の記載なし</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>未終了</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>not signed off</source>
+        <translation>未承認</translation>
+    </message>
+    <message>
+        <source>%1, %2 (no longer valid)</source>
+        <translation>%1、%2 (現在は無効)</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>院内</translation>
+    </message>
+    <message>
+        <source>at home; the file came back on %1</source>
+        <translation>在宅; ファイルの返却 %1</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>セッション</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>所要時間</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Gone on with</source>
+        <translation>続行</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Head model checked by</source>
+        <translation>頭部モデルの確認者</translation>
+    </message>
+    <message>
+        <source>Treated without a sign-off</source>
+        <translation>承認なしの治療</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>プロトコル</translation>
+    </message>
+    <message>
+        <source>Pauses, with their reasons</source>
+        <translation>一時停止とその理由</translation>
+    </message>
+    <message>
+        <source>Pain before (0 to 10)</source>
+        <translation>治療前の痛み (0～10)</translation>
+    </message>
+    <message>
+        <source>Pain after (0 to 10)</source>
+        <translation>治療後の痛み (0～10)</translation>
+    </message>
+    <message>
+        <source>Adverse events</source>
+        <translation>有害事象</translation>
+    </message>
+    <message>
+        <source>Stimulation</source>
+        <translation>刺激</translation>
+    </message>
+    <message>
+        <source>Stimulator (make, model)</source>
+        <translation>刺激装置 (製造元、型式)</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>コイル</translation>
+    </message>
+    <message>
+        <source>Muscles</source>
+        <translation>筋</translation>
+    </message>
+    <message>
+        <source>Motor threshold (method, criterion, hits of all)</source>
+        <translation>運動閾値 (方法、基準、全体中の反応数)</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>強度</translation>
+    </message>
+    <message>
+        <source>Trains (frequency, pulses, pauses)</source>
+        <translation>トレイン (周波数、パルス、休止)</translation>
+    </message>
+    <message>
+        <source>of these on target</source>
+        <translation>うち標的上</translation>
+    </message>
+    <message>
+        <source>outside the tolerance</source>
+        <translation>許容範囲外</translation>
+    </message>
+    <message>
+        <source>with head or coil lost</source>
+        <translation>頭部またはコイルの追跡喪失中</translation>
+    </message>
+    <message>
+        <source>given in a pause (never on target)</source>
+        <translation>一時停止中の照射 (標的上には数えない)</translation>
+    </message>
+    <message>
+        <source>excluded, with a reason</source>
+        <translation>除外 (理由あり)</translation>
+    </message>
+    <message>
+        <source>Double triggers, not counted</source>
+        <translation>二重トリガー (数えない)</translation>
+    </message>
+    <message>
+        <source>Alignment of MRI and head</source>
+        <translation>MRI と頭部の位置合わせ</translation>
+    </message>
+    <message>
+        <source>Error of the alignment at the target</source>
+        <translation>標的での位置合わせ誤差</translation>
+    </message>
+    <message>
+        <source>Cautions of the alignment</source>
+        <translation>位置合わせの注意</translation>
+    </message>
+    <message>
+        <source>Re-checks of the registration</source>
+        <translation>位置合わせの再確認</translation>
+    </message>
+    <message>
+        <source>Coil&apos;s tip held to the face, judged by a person</source>
+        <translation>コイル先端を顔に当てた確認 (人による判断)</translation>
+    </message>
+    <message>
+        <source>Distance of coil and target at the pulses, median / 95th percentile</source>
+        <translation>パルス時のコイルと標的の距離、中央値 / 95 パーセンタイル</translation>
+    </message>
+    <message>
+        <source>Tilt at the pulses, median / 95th percentile</source>
+        <translation>パルス時の傾き、中央値 / 95 パーセンタイル</translation>
+    </message>
+    <message>
+        <source>Pulses within %1 mm and %2 deg</source>
+        <translation>%1 mm、%2 deg 以内のパルス</translation>
+    </message>
+    <message>
+        <source>Time guided, without pauses</source>
+        <translation>誘導時間 (一時停止を除く)</translation>
+    </message>
+    <message>
+        <source>of this off target</source>
+        <translation>うち標的外</translation>
+    </message>
+    <message>
+        <source>of this with head or coil lost</source>
+        <translation>うち頭部またはコイルの追跡喪失</translation>
+    </message>
+    <message>
+        <source>Face lost / coil lost / faults</source>
+        <translation>顔の追跡喪失 / コイルの追跡喪失 / 障害</translation>
+    </message>
+    <message>
+        <source>%1 / %2 / %3 times</source>
+        <translation>%1 / %2 / %3 回</translation>
+    </message>
+    <message>
+        <source>Navigation accuracy</source>
+        <translation>ナビゲーションの精度</translation>
+    </message>
+    <message>
+        <source>Pulses against their targets</source>
+        <translation>標的に対するパルス</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>傾き</translation>
+    </message>
+    <message>
+        <source>Where the coil&apos;s centre was</source>
+        <translation>コイル中心の位置</translation>
+    </message>
+    <message>
+        <source>Filled circle: on target. Open square: outside the tolerance. Grey cross: excluded, in no bar. Dashed: 2 mm, and the tolerance of tilt and place</source>
+        <translation>塗りつぶした円: 標的上。白抜きの四角: 許容範囲外。灰色の×印: 除外、棒には含まない。破線: 2 mm、および傾きと位置の許容範囲</translation>
+    </message>
+    <message>
+        <source>Where the pulses went</source>
+        <translation>パルスの照射位置</translation>
+    </message>
+    <message>
+        <source>TMS session report</source>
+        <translation>TMS セッションレポート</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>%1 / %2 ページ</translation>
+    </message>
+    <message>
+        <source>Case %1, %2, session %3</source>
+        <translation>症例 %1、%2、セッション %3</translation>
+    </message>
+    <message>
+        <source>Case %1, session %2</source>
+        <translation>症例 %1、セッション %2</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>頭部</translation>
+    </message>
+    <message>
+        <source>Nasion to inion</source>
+        <translation>鼻根点から後頭結節まで</translation>
+    </message>
+    <message>
+        <source>Between the preauricular points</source>
+        <translation>左右の耳前点の間</translation>
+    </message>
+    <message>
+        <source>Circumference</source>
+        <translation>頭囲</translation>
+    </message>
+    <message>
+        <source>Gap of the coil&apos;s centre to the skin (hair, hollows)</source>
+        <translation>コイル中心と皮膚の隙間 (髪、くぼみ)</translation>
+    </message>
+    <message>
+        <source>FaceNav %1. Not a medical device: for research and development</source>
+        <translation>FaceNav %1。医療機器ではありません: 研究開発用です</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>標的</translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation>追跡装置</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>障害</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>範囲外</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>追跡喪失</translation>
     </message>
 </context>
 </TS>

@@ -16,11 +16,14 @@ ROOT = FOLDER.parent.parent
 
 
 def update(catalogue):
-    """Runs lupdate on the window's sources and on the sentences of the modules; returns its summary and its warnings."""
+    """Runs lupdate on the window's sources and on the sentences of the modules and of reports; returns its summary and its warnings."""
     with tempfile.TemporaryDirectory() as folder:
         core = pathlib.Path(folder) / "core.cpp"
-        quoted = (text.replace("\\", "\\\\").replace('"', '\\"') for text in core_sentences.sentences(ROOT))
-        core.write_text("".join(f'static const char* t{i} = QT_TRANSLATE_NOOP("core", "{text}");\n' for i, text in enumerate(quoted)))
+        texts = [("core", text) for text in core_sentences.sentences(ROOT)]
+        texts += [("report", text) for text in core_sentences.report_sentences(ROOT)]
+        quoted = [(context, text.replace("\\", "\\\\").replace('"', '\\"')) for context, text in texts]
+        core.write_text("".join(f'static const char* t{i} = QT_TRANSLATE_NOOP("{context}", "{text}");\n'
+                                for i, (context, text) in enumerate(quoted)))
         code = catalogue.stem.split("_", 1)[1]
         done = subprocess.run(["lupdate", "-locations", "none", "-no-obsolete", "ui", "app/gui_main.cpp", str(core),
                                "-target-language", code, "-ts", str(catalogue)], cwd=ROOT, capture_output=True, text=True)

@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QBuffer>
 #include <QSettings>
 #include <algorithm>
 
 #include "facenav/core/error.h"
 #include "facenav/scene/display.h"
-#include "shell/core_sentences.h"
 #include "shell/language.h"
 #include "shell/main_window.h"
 #include "shell/shown_words.h"
@@ -63,49 +61,6 @@ TEST_F(LanguagesTest, AChosenLanguageIsRememberedForTheNextStart) {
     if (action->text() == QString::fromUtf8("日本語")) action->trigger();
   EXPECT_EQ(rememberedLanguage(), "ja");
   EXPECT_EQ(languageInForce(), "en");
-}
-
-const char* const kCatalogue =
-    R"(<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="de">
-<context><name>core</name>
-<message><source>the head moved by %1 mm and %2 deg</source><translation>Kopf um %2 Grad und %1 mm bewegt</translation></message>
-<message><source>hold the head still</source><translation>Kopf still halten</translation></message>
-<message><source>not aligned</source><translation>nicht ausgerichtet</translation></message>
-<message><source>no picture was taken: %1</source><translation>kein Bild: %1</translation></message>
-<message><source>%1 is empty</source><translation>%1 ist leer</translation></message>
-<message><source>not finished</source><translation type="unfinished">X</translation></message>
-</context>
-<context><name>other</name><message><source>two words</source><translation>X</translation></message></context></TS>)";
-
-QString german(const QString& words) {
-  QByteArray text(kCatalogue);
-  QBuffer file(&text);
-  file.open(QIODevice::ReadOnly);
-  const CoreSentences sentences(file);
-  EXPECT_EQ(sentences.count(), 5u);
-  return sentences.translated(words);
-}
-
-TEST(CoreSentences, ValuesMoveToTheirPlacesInTheTranslation) {
-  EXPECT_EQ(german("the head moved by 3.5 mm and 2 deg"), "Kopf um 2 Grad und 3.5 mm bewegt");
-}
-
-TEST(CoreSentences, EachSentenceOfATextIsTranslatedAndWhatJoinsThemStays) {
-  EXPECT_EQ(german("not aligned: the head moved by 3.5 mm and 2 deg; hold the head still."),
-            "nicht ausgerichtet: Kopf um 2 Grad und 3.5 mm bewegt; Kopf still halten.");
-  EXPECT_EQ(german("/tmp/a.yml: hold the head still (not aligned)"),
-            "/tmp/a.yml: Kopf still halten (nicht ausgerichtet)");
-}
-
-TEST(CoreSentences, ASentenceInAnotherIsTranslatedToo) {
-  EXPECT_EQ(german("no picture was taken: hold the head still"), "kein Bild: Kopf still halten");
-}
-
-TEST(CoreSentences, WhatTheCatalogueLacksStaysAsItIs) {
-  for (const char* words : {"", "a new sentence", "not finished", "two words", "hold the head still now",
-                            "the head moved by 3.5 mm"})
-    EXPECT_EQ(german(words), words);
-  EXPECT_EQ(german("a new sentence; hold the head still"), "a new sentence; Kopf still halten");
 }
 
 TEST_F(LanguagesTest, ARefusalOfAModuleIsShownInTheWindowsLanguage) {

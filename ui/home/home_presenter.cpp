@@ -239,7 +239,9 @@ void HomePresenter::finish() {
   tasks_.start(tr("Closing"),
                [this, treatment = std::exchange(treatment_, nullptr)](TaskMonitor&) -> TaskRunner::Delivery {
                  treatment->end();
-                 treatment->keepReport();
+                 report::ReportOptions options;
+                 options.language = reportLanguage();
+                 treatment->keepReport(options);
                  return [this] { set(Stage::ended); };
                });
   set(Stage::ending);

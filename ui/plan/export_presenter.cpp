@@ -13,6 +13,7 @@
 #include "plan/other_words.h"
 #include "prepare/archive_presenter.h"
 #include "shell/report_pdf.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -28,6 +29,7 @@ std::string reportPdf(const casefile::CaseStore& store, const std::filesystem::p
                       const std::filesystem::path& beside) {
   const auto kept = casefile::readSession(session_folder);
   report::ReportOptions options;
+  options.language = reportLanguage();
   options.pictures = steps::pulsePictures(store, kept);
   const WholeFile scratch(std::filesystem::path(beside).replace_extension(".pdf"));  // never committed
   writeReportPdf(report::makeSessionReport(store, kept, options), scratch.temporaryPath());

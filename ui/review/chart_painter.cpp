@@ -32,7 +32,7 @@ QColor colourOf(Ink ink, ChartPaper paper) {
   return themeColour(is_paper ? Colour::paper_excluded : Colour::lost);
 }
 
-/// The report stays English, on white paper; the window shows its own language.
+/// A chart of a report, on white paper, has the report's words; the window shows its own language.
 void paintWords(QPainter& painter, const ChartShape& s, ChartPaper paper) {
   QFont font = painter.font();
   font.setPixelSize(s.is_bold ? 13 : 11);

@@ -9,6 +9,7 @@
 #include "shell/appearance.h"
 #include "shell/narrow_label.h"
 #include "shell/report_pdf.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 
@@ -57,6 +58,7 @@ void ReportPage::make() {
                 has_name = has_name_](TaskMonitor&) -> TaskRunner::Delivery {
                  report::ReportOptions options;
                  options.has_name = has_name;
+                 options.language = reportLanguage();
                  auto made = std::make_shared<report::SessionReport>(
                      report::makeSessionReport(store, session->kept, options));
                  return [this, made, session] {

@@ -214,6 +214,7 @@ void ReviewPresenter::makeReport(bool has_name) {
     const auto kept = casefile::readSession(session_->kept.folder);
     report::ReportOptions options;
     options.has_name = has_name;
+    options.language = reportLanguage();
     options.pictures = steps::pulsePictures(store, kept, session_->places);
     const auto report = report::makeSessionReport(store, kept, options);
     writeWholeFile(kept.folder / "pulses.csv", casefile::pulsesCsv(kept.pulses.pulses),

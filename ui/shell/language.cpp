@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFontMetrics>
 #include <QImage>
 #include <QLibraryInfo>
@@ -14,6 +13,7 @@
 #include <filesystem>
 
 #include "facenav/pictures/picture_words.h"
+#include "facenav/report/report_language.h"
 #include "facenav/scene/text_font.h"
 #include "shell/shown_words.h"
 
@@ -54,7 +54,7 @@ void paintPictureWords(const pictures::PicturePixels& on, const pictures::Pictur
   const QString shown = shownWords(words.text);
   const int room_px = on.width_px - words.left_px;
   QFont font;
-  font.setPixelSize(std::max(kLeast_px, words.height_px * 4 / 3));  // of a capital letter to that of the font
+  font.setPixelSize(std::max(kLeast_px, words.height_px * 5 / 3));  // letters of other scripts are finer
   while (font.pixelSize() > kLeast_px && QFontMetrics(font).horizontalAdvance(shown) > room_px)
     font.setPixelSize(font.pixelSize() - 1);
   painter.setFont(font);
@@ -111,11 +111,10 @@ void applyLanguage(QCoreApplication& application, const QString& code) {
   const bool is_english = taken == kEnglish;
   pictures::setWordsPainter(is_english ? pictures::WordsPainter() : paintPictureWords);
   scene::setTextFonts(sceneFonts(taken));
-  if (is_english) return useSentencesOf(nullptr);
+  if (is_english) return useSentencesOf({});
   install(application, "qtbase_" + taken, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   install(application, "facenav_" + taken, ":/languages");
-  QFile catalogue(":/languages/facenav_" + taken + ".ts");
-  useSentencesOf(catalogue.open(QIODevice::ReadOnly) ? &catalogue : nullptr);
+  useSentencesOf(report::catalogueText(taken.toStdString()));
 }
 
 }  // namespace facenav::ui

@@ -2,7 +2,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QObject>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextBlock>
@@ -67,7 +66,9 @@ void keepHeadings(QTextDocument& document) {
   }
 }
 
-void printPages(QTextDocument& document, const QString& subtitle, QPdfWriter& writer) {
+void printPages(QTextDocument& document, const report::SessionReport& report, QPdfWriter& writer) {
+  const QString subtitle = QString::fromStdString(report.subtitle);
+  const QString page_words = QString::fromStdString(report.page_words);
   QPainter painter(&writer);
   const double to_dots = kResolution_dpi / 96.0;  // the document is laid out at 96 dpi
   painter.scale(to_dots, to_dots);
@@ -84,7 +85,7 @@ void printPages(QTextDocument& document, const QString& subtitle, QPdfWriter& wr
     painter.setPen(QColor(68, 68, 85));
     const QRectF foot(0, page.height() + 6, page.width(), 16);
     painter.drawText(foot, Qt::AlignLeft, subtitle);
-    painter.drawText(foot, Qt::AlignRight, QObject::tr("page %1 of %2").arg(n + 1).arg(document.pageCount()));
+    painter.drawText(foot, Qt::AlignRight, page_words.arg(n + 1).arg(document.pageCount()));
   }
 }
 
@@ -116,7 +117,7 @@ void writeReportPdf(const report::SessionReport& report, const std::filesystem::
     document.setDocumentMargin(0);
     document.setPageSize({(210 - 2 * kMargin_mm) * per_mm, (297 - 2 * kMargin_mm - kFoot_mm) * per_mm});
     keepHeadings(document);
-    printPages(document, QString::fromStdString(report.subtitle), writer);
+    printPages(document, report, writer);
   }
   writeWholeFile(path, bytes.data().toStdString(), FileAccess::owner_only);
 }

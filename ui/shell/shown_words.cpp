@@ -1,10 +1,9 @@
 #include "shell/shown_words.h"
 
 #include <QHash>
-#include <memory>
 #include <mutex>
 
-#include "shell/core_sentences.h"
+#include "facenav/report/report_language.h"
 
 namespace facenav::ui {
 namespace {
@@ -13,7 +12,7 @@ constexpr int kMostRemembered = 2000;  // texts; those of a live session come ag
 
 struct Shown {
   std::mutex mutex;
-  std::unique_ptr<CoreSentences> sentences;
+  std::shared_ptr<const SentenceCatalogue> sentences, report;
   QHash<QString, QString> remembered;
 };
 
@@ -30,17 +29,27 @@ QString shownWords(const QString& words) {
   if (!all.sentences || words.isEmpty()) return words;
   if (const auto known = all.remembered.constFind(words); known != all.remembered.constEnd()) return *known;
   if (all.remembered.size() >= kMostRemembered) all.remembered.clear();
-  return *all.remembered.insert(words, all.sentences->translated(words));
+  return *all.remembered.insert(words,
+                                QString::fromStdString(all.sentences->translated(words.toStdString())));
 }
 
 QString shownWords(const std::string& words) { return shownWords(QString::fromStdString(words)); }
 
 QString shownWords(const std::exception& error) { return shownWords(QString::fromUtf8(error.what())); }
 
-void useSentencesOf(QIODevice* catalogue) {
+std::shared_ptr<const SentenceCatalogue> reportLanguage() {
   Shown& all = shown();
   const std::lock_guard lock(all.mutex);
-  all.sentences = catalogue ? std::make_unique<CoreSentences>(*catalogue) : nullptr;
+  return all.report;
+}
+
+void useSentencesOf(const std::string& catalogue) {
+  Shown& all = shown();
+  const std::lock_guard lock(all.mutex);
+  all.sentences = catalogue.empty() ? nullptr
+                                    : std::make_shared<const SentenceCatalogue>(
+                                          catalogue, std::vector<std::string>{"core"});
+  all.report = report::reportSentences(catalogue);
   all.remembered.clear();
 }
 

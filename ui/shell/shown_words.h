@@ -4,9 +4,10 @@
 
 #include <QString>
 #include <exception>
+#include <memory>
 #include <string>
 
-class QIODevice;
+#include "facenav/core/sentence_catalogue.h"
 
 namespace facenav::ui {
 
@@ -15,7 +16,9 @@ QString shownWords(const std::string& words);
 QString shownWords(const QString& words);
 /// Why something failed, as the window shows it.
 QString shownWords(const std::exception& error);
-/// Takes the sentences of a catalogue (.ts); null: English.
-void useSentencesOf(QIODevice* catalogue);
+/// The words of reports that the window makes; null: English. Any thread may ask.
+std::shared_ptr<const SentenceCatalogue> reportLanguage();
+/// Takes the sentences of a catalogue, the text of a .ts file; empty: English.
+void useSentencesOf(const std::string& catalogue);
 
 }  // namespace facenav::ui

@@ -3,11 +3,18 @@
 #include <future>
 
 #include "facenav/report/session_report.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience(1000);  // time for a session to end
+
+report::ReportOptions inWindowsLanguage() {
+  report::ReportOptions options;
+  options.language = reportLanguage();
+  return options;
+}
 
 }  // namespace
 
@@ -16,7 +23,7 @@ void endBeside(AsynchronousShutdown& retirement, std::shared_ptr<steps::Treatmen
   endBeside(
       retirement, [treatment, why] { treatment->end(why); },
       [treatment, then = std::move(then)] {
-        treatment->keepReport();
+        treatment->keepReport(inWindowsLanguage());
         if (then) then();
       });
 }
@@ -44,8 +51,9 @@ void endBeside(AsynchronousShutdown& retirement, std::function<void()> end, std:
 
 void reportBeside(AsynchronousShutdown& retirement, const std::filesystem::path& case_folder,
                   const std::filesystem::path& session) {
-  retirement.add([case_folder, session] { report::writeSessionReport(case_folder, session); },
-                 std::chrono::milliseconds(0));
+  retirement.add(
+      [case_folder, session] { report::writeSessionReport(case_folder, session, inWindowsLanguage()); },
+      std::chrono::milliseconds(0));
 }
 
 }  // namespace facenav::ui

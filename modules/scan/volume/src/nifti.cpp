@@ -74,7 +74,7 @@ ImagePtr readImage(const std::filesystem::path& path, int components) {
     const std::string held = "holds " + std::to_string(image->ndim) + " dimensions, ";
     if (components == 1)
       throw Error(held + "one 3-D volume was expected", path.string(), "extract the T1 volume first");
-    throw Error(held + "3 values a voxel were expected", path.string(), "choose a file of vectors");
+    throw Error(held + "each voxel of vectors has 3 values", path.string(), "choose a file of vectors");
   }
   readVoxels(*image, path);
   return image;

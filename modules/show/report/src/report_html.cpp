@@ -1,5 +1,7 @@
 #include "report_html.h"
 
+#include <algorithm>
+
 namespace facenav::report {
 namespace {
 
@@ -29,6 +31,10 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
+std::string cellHtml(const Cell& cell) {
+  return (cell.is_kept ? "<td " + std::string(kKeptMark) + ">" : "<td>") + escapedHtml(cell.words) + "</td>";
+}
+
 }  // namespace
 
 std::string escapedHtml(const std::string& words) {
@@ -48,11 +54,31 @@ std::string escapedHtml(const std::string& words) {
   return escaped;
 }
 
+std::string plainWords(const std::string& html) {
+  static const std::vector<std::pair<std::string, char>> kLetters{
+      {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&amp;", '&'}};
+  std::string words;
+  for (std::size_t at = 0; at < html.size();) {
+    const auto letter = std::find_if(kLetters.begin(), kLetters.end(), [&](const auto& each) {
+      return html.compare(at, each.first.size(), each.first) == 0;
+    });
+    words += letter == kLetters.end() ? html[at] : letter->second;
+    at += letter == kLetters.end() ? 1 : letter->first.size();
+  }
+  return words;
+}
+
+Cell keptCell(std::string words) {
+  Cell cell(std::move(words));
+  cell.is_kept = true;
+  return cell;
+}
+
 std::string factsHtml(const std::vector<TableRow>& rows) {
   std::string html = "<table class=\"facts\">\n";
   for (const auto& row : rows) {
     html += "<tr>";
-    for (const auto& cell : row) html += "<td>" + escapedHtml(cell) + "</td>";
+    for (const auto& cell : row) html += cellHtml(cell);
     html += "</tr>\n";
   }
   return html + "</table>\n";
@@ -60,11 +86,11 @@ std::string factsHtml(const std::vector<TableRow>& rows) {
 
 std::string tableHtml(const TableRow& columns, const std::vector<TableRow>& rows) {
   std::string html = "<table>\n<tr>";
-  for (const auto& column : columns) html += "<th>" + escapedHtml(column) + "</th>";
+  for (const auto& column : columns) html += "<th>" + escapedHtml(column.words) + "</th>";
   html += "</tr>\n";
   for (const auto& row : rows) {
     html += "<tr>";
-    for (const auto& cell : row) html += "<td>" + escapedHtml(cell) + "</td>";
+    for (const auto& cell : row) html += cellHtml(cell);
     html += "</tr>\n";
   }
   return html + "</table>\n";
@@ -77,10 +103,12 @@ std::string pictureHtml(const std::vector<std::uint8_t>& png) {
   return "<img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\">\n";
 }
 
-std::string pageHtml(const std::string& title, const std::string& subtitle, const std::string& body) {
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escapedHtml(title) +
-         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escapedHtml(title) +
-         "</h1><p class=\"subtitle\">" + escapedHtml(subtitle) + "</p>\n" + body + "</body></html>\n";
+std::string pageHtml(const std::string& language, const std::string& title, const std::string& subtitle,
+                     const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"" + language + "\"><head><meta charset=\"utf-8\"><title>" +
+         escapedHtml(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
+         escapedHtml(title) + "</h1><p class=\"subtitle\">" + escapedHtml(subtitle) + "</p>\n" + body +
+         "</body></html>\n";
 }
 
 }  // namespace facenav::report

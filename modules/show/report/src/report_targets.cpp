@@ -66,7 +66,7 @@ std::string targetsPart(const casefile::CaseStore& store, const casefile::KeptSe
   for (const UsedTarget& one : used) {
     const guidance::Target& target = one.target;
     rows.push_back(
-        {target.name, pointWords(target.cortex_point.mm),
+        {keptCell(target.name), pointWords(target.cortex_point.mm),
          atlas ? known([&] { return pointWords(atlas->toMni(target.cortex_point).mm); }) : "not known",
          pointWords(target.mri_T_target.translation_mm()),
          scalp ? known([&] {

@@ -13,10 +13,12 @@
 #include "facenav/geometry/rotation.h"
 #include "facenav/guidance/guidance.h"
 #include "facenav/report/local_time.h"
+#include "facenav/report/report_language.h"
 #include "facenav/report/review_charts.h"
 #include "facenav/report/session_notes.h"
 #include "facenav/report/session_review.h"
 #include "facenav/scene/png.h"
+#include "report_events.h"
 #include "report_field.h"
 #include "report_html.h"
 #include "report_protocol.h"
@@ -26,7 +28,6 @@ namespace facenav::report {
 namespace {
 
 constexpr const char* kNotRecorded = "not recorded";
-constexpr std::size_t kMostRows = 20;  // largest table on paper; pulses.csv and events.jsonl have all rows
 constexpr double kNear_mm = 2.0, kNear_deg = 3.0;  // limits of the share of pulses in published sheets
 constexpr double kDistanceBin_mm = 0.5, kTiltBin_deg = 1.0;
 
@@ -68,6 +69,12 @@ std::string detailsOf(const casefile::KeptSession& session, const std::string& e
     before = e.detail;
   }
   return words.empty() ? kNotRecorded : words;
+}
+
+/// Details that a person wrote, as they are.
+Cell writtenCell(const casefile::KeptSession& session, const std::string& event) {
+  const std::string words = detailsOf(session, event);
+  return words == kNotRecorded ? Cell(words) : keptCell(words);
 }
 
 std::string nearWords(const casefile::KeptSession& session) {
@@ -172,7 +179,7 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
                                          ? "no"
                                          : detailsOf(session, "session continued")},
                     {"Place", placeWords(session, summary)},
-                    {"Operator", detailsOf(session, "operator")},
+                    {"Operator", writtenCell(session, "operator")},
                     {"Head model checked by", signOffWords(store)},
                     {"Treated without a sign-off",
                      detailsOf(session, "override") == kNotRecorded ? "no" : detailsOf(session, "override")},
@@ -180,7 +187,7 @@ std::string sessionPart(const casefile::CaseStore& store, const casefile::KeptSe
                     {"Pauses, with their reasons", pauseWords(session)},
                     {"Pain before (0 to 10)", detailsOf(session, "pain before")},
                     {"Pain after (0 to 10)", detailsOf(session, "pain after")},
-                    {"Adverse events", detailsOf(session, "adverse event")}});
+                    {"Adverse events", writtenCell(session, "adverse event")}});
 }
 
 std::string stimulationPart(const casefile::CaseStore& store, const casefile::KeptSession& session,
@@ -279,46 +286,6 @@ std::string picturesPart(const ReportOptions& options, SessionReport& report) {
   return html + "</table>\n";
 }
 
-std::string exceptionsPart(const casefile::KeptSession& session) {
-  std::vector<TableRow> rows;
-  std::size_t all = 0;
-  for (const auto& reviewed : session.pulses.pulses) {
-    const casefile::Pulse& pulse = reviewed.pulse;
-    const bool is_excluded = reviewed.is_excluded;
-    if (!is_excluded && pulse.status == casefile::PulseStatus::on_target) continue;
-    if (++all <= kMostRows)
-      rows.push_back({formatted("%d", pulse.number), localClock(pulse.utc),
-                      is_excluded ? "excluded" : toString(pulse.status),
-                      is_excluded ? reviewed.note : pulse.reason});
-  }
-  if (rows.empty()) return {};
-  return headingHtml("Pulses not on target, or excluded") +
-         tableHtml({"pulse", "time", "status", "reason"}, rows) +
-         (all > kMostRows ? paragraphHtml(formatted("%zu more: see pulses.csv.", all - kMostRows)) : "");
-}
-
-std::string eventsPart(const casefile::KeptSession& session) {
-  std::vector<TableRow> rows;
-  for (const auto& event : session.events)
-    if (rows.size() < kMostRows)
-      rows.push_back({localClock(event.utc), event.event, withoutFolders(event.detail)});
-  if (rows.empty()) return {};
-  const std::size_t more = session.events.size() - rows.size();
-  return headingHtml("Events") + tableHtml({"time", "event", "detail"}, rows) +
-         (more > 0 ? paragraphHtml(formatted("%zu more: see events.jsonl.", more)) : "");
-}
-
-std::string cautionsPart(const SessionSummary& summary) {
-  std::string html;
-  if (summary.clock_set_s)
-    html += paragraphHtml(
-        formatted("The computer's clock was set %s by %.0f s during the session. Times of day "
-                  "jump there; the column t_s of pulses.csv does not.",
-                  *summary.clock_set_s < 0 ? "back" : "forward", std::abs(*summary.clock_set_s)));
-  for (const auto& problem : summary.problems) html += paragraphHtml(withoutFolders(problem));
-  return html.empty() ? html : headingHtml("Cautions") + html;
-}
-
 }  // namespace
 
 SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
@@ -326,6 +293,7 @@ SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile
   const SessionSummary summary = summarise(session);
   SessionReport report;
   report.title = "TMS session report";
+  report.page_words = "page %1 of %2";
   report.subtitle = "Case " + store.caseId() +
                     (options.has_name && !store.label().empty() ? ", " + store.label() : "") + ", session " +
                     session.name;
@@ -343,7 +311,7 @@ SessionReport makeSessionReport(const casefile::CaseStore& store, const casefile
   report.body += picturesPart(options, report);
   report.body += figuresPart(session, report);
   report.body += exceptionsPart(session) + head + eventsPart(session) + cautionsPart(summary) + foot;
-  return report;
+  return options.language ? inLanguage(std::move(report), *options.language) : report;
 }
 
 std::string toHtml(const SessionReport& report) {
@@ -355,7 +323,7 @@ std::string toHtml(const SessionReport& report) {
         figure.chart ? chartSvg(*figure.chart) : pictureHtml(scene::pngOf(figure.picture));
     body.replace(body.find(place), place.size(), drawn);
   }
-  return pageHtml(report.title, report.subtitle, body);
+  return pageHtml(report.language, report.title, report.subtitle, body);
 }
 
 std::string sessionReport(const casefile::CaseStore& store, const casefile::KeptSession& session,
@@ -363,11 +331,11 @@ std::string sessionReport(const casefile::CaseStore& store, const casefile::Kept
   return toHtml(makeSessionReport(store, session, options));
 }
 
-void writeSessionReport(const std::filesystem::path& case_folder,
-                        const std::filesystem::path& session_folder) {
+void writeSessionReport(const std::filesystem::path& case_folder, const std::filesystem::path& session_folder,
+                        const ReportOptions& options) {
   const auto store = casefile::CaseStore::open(case_folder);
-  writeWholeFile(session_folder / "report.html", sessionReport(store, casefile::readSession(session_folder)),
-                 FileAccess::owner_only);
+  const auto page = sessionReport(store, casefile::readSession(session_folder), options);
+  writeWholeFile(session_folder / "report.html", page, FileAccess::owner_only);
 }
 
 }  // namespace facenav::report

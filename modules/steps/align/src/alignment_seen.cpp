@@ -14,6 +14,8 @@ std::string placeName(surface::Landmark landmark) {
       return "left tragus";
     case surface::Landmark::tragus_right:
       return "right tragus";
+    case surface::Landmark::nasion:
+      return "nasion";
     default:
       return toString(landmark);
   }

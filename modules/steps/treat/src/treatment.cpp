@@ -11,7 +11,6 @@
 #include "facenav/core/without_folders.h"
 #include "facenav/plan/expert_pose.h"
 #include "facenav/prepare/sign_off_gate.h"
-#include "facenav/report/session_report.h"
 
 namespace facenav::steps {
 namespace {
@@ -343,9 +342,9 @@ void Treatment::end(const std::string& why) {
   session_.reset();
 }
 
-void Treatment::keepReport() const {
+void Treatment::keepReport(const report::ReportOptions& options) const {
   try {
-    report::writeSessionReport(case_folder_, session_folder_);
+    report::writeSessionReport(case_folder_, session_folder_, options);
   } catch (const std::exception& error) {  // no caller to report to
     logWarning(std::string("the session's report was not written: ") + error.what());
   }

@@ -5,6 +5,7 @@
 // prints the same content.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "facenav/casefile/case_store.h"
 #include "facenav/casefile/kept_session.h"
 #include "facenav/core/rgb_image.h"
+#include "facenav/core/sentence_catalogue.h"
 #include "facenav/report/chart.h"
 
 namespace facenav::report {
@@ -24,6 +26,7 @@ struct ReportPicture {
 struct ReportOptions {
   bool has_name = false;                     // adds the case's label, which may be the patient's name
   std::vector<ReportPicture> pictures = {};  // from pulse_pictures.h
+  std::shared_ptr<const SentenceCatalogue> language = {};  // from report_language.h; null: English
 };
 
 struct SessionReport {
@@ -31,8 +34,10 @@ struct SessionReport {
     std::optional<Chart> chart;  // if absent: a picture
     RgbImage picture;
   };
+  std::string language = "en";
   std::string title, subtitle;
-  std::string body;  // HTML; figure N is <img src="figure:N">
+  std::string page_words;  // foot of a printed page: "page %1 of %2"
+  std::string body;        // HTML; figure N is <img src="figure:N">
   std::vector<Figure> figures;
 };
 
@@ -46,7 +51,7 @@ std::string sessionReport(const casefile::CaseStore& store, const casefile::Kept
                           const ReportOptions& options = {});
 
 /// Writes report.html (0600, whole) into the session's folder. Throws Error.
-void writeSessionReport(const std::filesystem::path& case_folder,
-                        const std::filesystem::path& session_folder);
+void writeSessionReport(const std::filesystem::path& case_folder, const std::filesystem::path& session_folder,
+                        const ReportOptions& options = {});
 
 }  // namespace facenav::report

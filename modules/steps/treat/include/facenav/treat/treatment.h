@@ -18,6 +18,7 @@
 #include "facenav/coil_tracking/coil_card.h"
 #include "facenav/links/pulse_source.h"
 #include "facenav/report/session_notes.h"
+#include "facenav/report/session_report.h"
 #include "facenav/session/treatment_log.h"
 #include "facenav/setup/cameras_learnt.h"
 #include "facenav/treat/live_outputs.h"
@@ -191,7 +192,7 @@ class Treatment {
   /// a window calls it on another thread. Only keepReport() may follow.
   void end(const std::string& why = {});
   /// Writes the report, after end(). A failure is logged as a warning; `facenav report` writes it again.
-  void keepReport() const;
+  void keepReport(const report::ReportOptions& options = {}) const;
 
  private:
   session::TreatmentLogOptions logOptions(const std::filesystem::path& goes_on);

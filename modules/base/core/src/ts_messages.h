@@ -1,0 +1,24 @@
+#pragma once
+// Reads the messages of a .ts file (Qt Linguist), as lupdate writes it. Private to core.
+
+#include <string>
+#include <vector>
+
+namespace facenav {
+inline namespace core {
+
+struct TsMessage {
+  std::string context, source, translation;
+  bool is_finished;
+};
+
+struct TsFile {
+  std::string language;  // "ja"
+  std::vector<TsMessage> messages;
+};
+
+/// Reads a text; what is no message is passed over.
+TsFile readTs(const std::string& text);
+
+}  // namespace core
+}  // namespace facenav
