@@ -23,6 +23,15 @@ struct Page {
 /// Lists the pages in the order of the clinic's path. The window needs an open case.
 std::vector<Page> everyPage();
 
+/// The same pages, and the tools of Treat.
+std::vector<Page> pagesAndTools();
+
+/// Lets layouts and drawing come to rest.
+void settle();
+
+/// Treat's first step; its words follow the language.
+QAbstractButton* camerasButton(QWidget& in);
+
 /// The visible button with these words; null: none.
 QAbstractButton* buttonWith(QWidget& in, const QString& words);
 

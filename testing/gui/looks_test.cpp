@@ -41,31 +41,6 @@ constexpr int kSettle_ms = 30;
 /// Pages with the least room to spare, for sizes between those that all pages are tried at.
 const QStringList kFullest{"1_worklist", "5_plan", "6_treat_motor", "6_treat_session", "8_review_report"};
 
-/// Lets layouts and drawing come to rest.
-void settle() {
-  for (int i = 0; i < 3; ++i) {
-    QApplication::sendPostedEvents();
-    QApplication::processEvents();
-  }
-  fixtures::waitFor([] { return false; }, kSettle_ms);
-}
-
-std::vector<fixtures::Page> pagesAndTools() {
-  auto pages = fixtures::everyPage();
-  const std::pair<const char*, TreatSide::Tool> tools[] = {{"6_treat_motor", TreatSide::Tool::motor},
-                                                           {"6_treat_session", TreatSide::Tool::session},
-                                                           {"6_treat_check", TreatSide::Tool::check},
-                                                           {"6_treat_aim", TreatSide::Tool::aim}};
-  for (const auto& [name, tool] : tools)
-    pages.push_back({name, [tool = tool](MainWindow& window) {
-                       window.setWorkspace(Workspace::treat);
-                       auto* cameras = fixtures::buttonWith(window, "1 Cameras");
-                       if (cameras->isChecked()) cameras->click();
-                       window.findChild<TreatWorkspace*>()->showTool(tool);
-                     }});
-  return pages;
-}
-
 /// One window with a full case, made once for all tests.
 class Looks : public ::testing::Test {
  protected:
@@ -92,11 +67,11 @@ class Looks : public ::testing::Test {
   }
   /// Shows each page and tool, and looks at it.
   static void onEveryPage(const std::function<void(const char* page)>& look, const QStringList& only = {}) {
-    for (const auto& page : pagesAndTools()) {
+    for (const auto& page : fixtures::pagesAndTools()) {
       if (!only.isEmpty() && !only.contains(page.name)) continue;
       SCOPED_TRACE(page.name);
       page.show(*window_);
-      settle();
+      fixtures::settle();
       look(page.name);
     }
   }
@@ -140,7 +115,7 @@ TEST_F(Looks, EveryPageLooksAsKeptInBothThemes) {
         window_->grab().save(QString("%1/%2.png").arg(pictures, name));
       QApplication::setActiveWindow(window_);
       if (auto* focused = QApplication::focusWidget()) focused->clearFocus();
-      settle();
+      fixtures::settle();
       if (kept.use() != testing::KeptPictures::Use::compare) QTest::qWait(10 * kSettle_ms);
       QString fault;  // a view may draw a moment later
       for (int tries = 0; tries < 40; ++tries) {

@@ -6,7 +6,7 @@
 
 #include "jobs.h"
 #include "setup/setup_window.h"
-#include "support/setup_room.h"
+#include "support/setup_services.h"
 
 namespace facenav::walk {
 namespace {
@@ -16,33 +16,6 @@ using Step = steps::SetupStep;
 using testing::RoomShows;
 
 constexpr int kCalibration_ms = 120000;
-
-/// Services with two cameras that see the room, and a store of rigs in memory.
-ui::Services inRoom(std::shared_ptr<testing::SetupRoom> room,
-                    std::shared_ptr<std::vector<capture::RigEntry>> rigs) {
-  ui::Services services;
-  services.listCameras = [](capture::Search) {
-    std::vector<capture::FoundCamera> found(2);
-    found[0].identity = {"v4l2", "/dev/video0", "Webcam", "A", "1-1"};
-    found[1].identity = {"v4l2", "/dev/video2", "Webcam", "B", "1-2"};
-    return found;
-  };
-  services.openNewCameras = [room](const std::string&, const std::string&, int, int) {
-    ui::NewCameras cameras{
-        std::make_unique<testing::SetupRoomSource>(room, coil_tracking::testing::roomRig()), {}, {}};
-    cameras.left.identity = {"v4l2", "/dev/video0", "Webcam", "A", "1-1"};
-    cameras.right.identity = {"v4l2", "/dev/video2", "Webcam", "B", "1-2"};
-    return cameras;
-  };
-  services.listRigs = [rigs] { return *rigs; };
-  services.keepRig = [rigs](const capture::NamedRig& rig, Existing) {
-    *rigs = {{rig.name, "/rigs/" + rig.name, rig, ""}};
-  };
-  services.noteRig = [](const std::string&, const capture::RigCheckNote&) {};
-  services.keepLearnt = [](const std::string&, const steps::CamerasLearnt&) {};
-  services.makeSetupMethods = [] { return testing::setupMethods(); };
-  return services;
-}
 
 /// True once the step is done with what the cameras show now.
 bool isDone(const ui::SetupPresenter& setup, Step step) {
@@ -56,7 +29,7 @@ void setUpCameras(Patient&, const Look& look) {
   QSettings().setValue("setup/size", "640x480");
   const auto room = std::make_shared<testing::SetupRoom>();
   const auto rigs = std::make_shared<std::vector<capture::RigEntry>>();
-  ui::SetupWindow window(inRoom(room, rigs));
+  ui::SetupWindow window(testing::setupServices(room, rigs));
   auto& setup = window.presenter();
   setup.setBoard(9, 6, 20.0);  // the board that the room shows
   window.show();
