@@ -16,7 +16,8 @@ REPORT = ("show/report/src/report_events", "show/report/src/report_field", "show
 LEFT_OUT = ("lab/", "show/report/src/report_html", "show/report/src/chart.cpp", "show/report/src/pulse_map",
             "base/core/src/settings", "steps/methods/", "plan/other_words", "shell/appearance", "shell/report_pdf")
 # Here a single word is shown too.
-WITH_WORDS = ("steps/align/src/alignment_seen.cpp", "treat/session/src/loop/navigation_state.cpp", "show/report/src/pulse_columns.cpp", "target/guidance/src/instruction.cpp")
+WITH_WORDS = ("steps/align/src/alignment_seen.cpp", "treat/session/src/loop/navigation_state.cpp", "show/report/src/pulse_columns.cpp",
+              "target/guidance/src/instruction.cpp", "rig/health/src/verify_rig.cpp", "steps/setup/src/setup_steps.cpp")
 UNITS = {"deg", "mm", "ms", "px"}
 TOKEN = re.compile(r'''R"(?P<d>[^(]*)\((?:.|\n)*?\)(?P=d)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|//[^\n]*|/\*(?:.|\n)*?\*/
                        |^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*|[A-Za-z_][\w:]*|\d[\w.']*|[-+]=|->|[=!<>]=|&&|\|\||<<|>>|\s+|.''', re.X | re.M)

@@ -176,7 +176,7 @@
     </message>
     <message>
         <source>MEP map (sigma %1 mm): peak %2 uV at %3, centre of gravity %4 (RAS mm), area at %5 uV or more %6 mm², %7 of %8 pulses responded</source>
-        <translation>MEP マップ (sigma %1 mm): 最大 %2 uV、位置 %3、重心 %4 (RAS mm)、%5 uV 以上の面積 %6 mm²、%8 パルス中 %7 で反応あり</translation>
+        <translation>MEP マップ (σ %1 mm): 最大 %2 uV、位置 %3、重心 %4 (RAS mm)、%5 uV 以上の面積 %6 mm²、%8 パルス中 %7 で反応あり</translation>
     </message>
     <message>
         <source>Built for %1 by %2, with Qt %3</source>
@@ -270,12 +270,28 @@
         <source>tick those to draw</source>
         <translation>描くものにチェックを入れてください</translation>
     </message>
+    <message>
+        <source>linked</source>
+        <translation>リンク</translation>
+    </message>
+    <message>
+        <source>compiled in</source>
+        <translation>組み込み</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>データ</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>実行</translation>
+    </message>
 </context>
 <context>
     <name>SecondCoilChoice</name>
     <message>
         <source>two coils are followed: say which one gives the pulses (tool Session)</source>
-        <translation>2 つのコイルを追跡します: どちらが照射するかを指定してください (「セッション」ツール)</translation>
+        <translation>2 つのコイルを追跡します: どちらで刺激するかを指定してください (「セッション」ツール)</translation>
     </message>
 </context>
 <context>
@@ -7941,10 +7957,6 @@
         <translation>脳全体</translation>
     </message>
     <message>
-        <source>the mask&apos;s edge is uncertain by %1 mm there (confidence %2)</source>
-        <translation>そこでのマスクの縁の不確かさは %1 mm です (確信度 %2)</translation>
-    </message>
-    <message>
         <source>look at the %1</source>
         <translation>%1 を確認してください</translation>
     </message>
@@ -8218,7 +8230,7 @@
     </message>
     <message>
         <source>Map of the MEPs on the brain&apos;s surface (Gaussian, sigma %1 mm): dark 0, bright %2 uV. Peak %3 uV at %4 %5 %6, centre of gravity %7 %8 %9 (MRI, RAS mm), area with %10 uV or more %11 mm2, %12 of %13 pulses with a response</source>
-        <translation>脳表面の MEP マップ (ガウス、sigma %1 mm): 暗い色 0、明るい色 %2 uV。最大 %3 uV (%4 %5 %6)、重心 %7 %8 %9 (MRI、RAS mm)、%10 uV 以上の面積 %11 mm2、%13 パルス中 %12 で反応あり</translation>
+        <translation>脳表面の MEP マップ (ガウス、σ %1 mm): 暗い色 0、明るい色 %2 uV。最大 %3 uV (%4 %5 %6)、重心 %7 %8 %9 (MRI、RAS mm)、%10 uV 以上の面積 %11 mm2、%13 パルス中 %12 で反応あり</translation>
     </message>
     <message>
         <source>From the side of the target. %1</source>
@@ -9290,7 +9302,7 @@
     </message>
     <message>
         <source>coil of the pulses</source>
-        <translation>照射するコイル</translation>
+        <translation>刺激するコイル</translation>
     </message>
     <message>
         <source>every other source: %1</source>
@@ -10890,7 +10902,7 @@
     </message>
     <message>
         <source>it is not known which of the two coils gave it</source>
-        <translation>2 つのコイルのどちらが照射したか分かりません</translation>
+        <translation>2 つのコイルのどちらで刺激したか分かりません</translation>
     </message>
     <message>
         <source>the coil &apos;%1&apos; was not followed</source>
@@ -10906,11 +10918,11 @@
     </message>
     <message>
         <source>given in a pause</source>
-        <translation>一時停止中の照射</translation>
+        <translation>一時停止中の刺激</translation>
     </message>
     <message>
         <source>given in a pause; %1</source>
-        <translation>一時停止中の照射; %1</translation>
+        <translation>一時停止中の刺激; %1</translation>
     </message>
     <message>
         <source>coil followed</source>
@@ -11170,7 +11182,7 @@
     </message>
     <message>
         <source>a pulse was given</source>
-        <translation>照射しました</translation>
+        <translation>刺激しました</translation>
     </message>
     <message>
         <source>%1: not taken: there is no case that it could belong to</source>
@@ -11259,6 +11271,54 @@
     <message>
         <source>COIL LOST</source>
         <translation>コイルの追跡喪失</translation>
+    </message>
+    <message>
+        <source>coil positions of SimNIBS</source>
+        <translation>SimNIBS のコイル位置</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>left prefrontal cortex (DLPFC)</source>
+        <translation>左前頭前野 (DLPFC)</translation>
+    </message>
+    <message>
+        <source>right prefrontal cortex (DLPFC)</source>
+        <translation>右前頭前野 (DLPFC)</translation>
+    </message>
+    <message>
+        <source>look at the left %1</source>
+        <translation>左%1を確認してください</translation>
+    </message>
+    <message>
+        <source>look at the right %1</source>
+        <translation>右%1を確認してください</translation>
+    </message>
+    <message>
+        <source>%1: the mask&apos;s edge is uncertain by %2 mm there (confidence %3)</source>
+        <translation>%1: そこでのマスクの縁の不確かさは %2 mm です (確信度 %3)</translation>
+    </message>
+    <message>
+        <source>%1 views, %2 px</source>
+        <translation>%1 視点、残差 %2 px</translation>
+    </message>
+    <message>
+        <source>aligned: by a file that states its error</source>
+        <translation>位置合わせ済み: 誤差を記したファイルによる</translation>
+    </message>
+    <message>
+        <source>aligned: %1 mm rms over %2 points</source>
+        <translation>位置合わせ済み: %2 点で %1 mm rms</translation>
     </message>
 </context>
 <context>
@@ -13827,6 +13887,10 @@
         <source>, %1 not on target</source>
         <translation>、標的上でないもの %1</translation>
     </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui::ImportChoices</name>
@@ -14032,6 +14096,10 @@
     <message>
         <source>refused</source>
         <translation>取り込み不可</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1 行目</translation>
     </message>
 </context>
 <context>
@@ -14455,7 +14523,7 @@ Review</source>
     </message>
     <message>
         <source>what was given, replay, report (Ctrl+4)</source>
-        <translation>実施した照射、再生、レポート (Ctrl+4)</translation>
+        <translation>実施した刺激、再生、レポート (Ctrl+4)</translation>
     </message>
     <message>
         <source>guidance was running when the window went: Treat offers to go on with that session</source>
@@ -14695,11 +14763,11 @@ Review</source>
     </message>
     <message>
         <source>No pulse to answer for yet: give one first</source>
-        <translation>回答するパルスがまだありません: 先に 1 回照射してください</translation>
+        <translation>回答するパルスがまだありません: 先に 1 回刺激してください</translation>
     </message>
     <message>
         <source>Pulse %1 is answered: give the next one</source>
-        <translation>パルス %1 は回答済みです: 次の 1 回を照射してください</translation>
+        <translation>パルス %1 は回答済みです: 次の 1 回を刺激してください</translation>
     </message>
     <message>
         <source>no search runs</source>
@@ -14712,7 +14780,7 @@ Review</source>
     <message>
         <source>set the output to %1 %, one pulse, then answer
 %2</source>
-        <translation>出力を %1 % に設定し、1 回照射してから回答してください
+        <translation>出力を %1 % に設定し、1 回刺激してから回答してください
 %2</translation>
     </message>
     <message>
@@ -14888,7 +14956,7 @@ Review</source>
     </message>
     <message>
         <source>as the file says</source>
-        <translation>ファイルの指定どおり</translation>
+        <translation>指定どおり</translation>
     </message>
     <message>
         <source>this MRI</source>
@@ -14904,7 +14972,7 @@ Review</source>
     </message>
     <message>
         <source>Add a file …</source>
-        <translation>ファイルを追加 …</translation>
+        <translation>追加 …</translation>
     </message>
     <message>
         <source>NIfTI map or mask, tracts (.trk .tck .trx .vtk), surface (.ply .stl .obj .vtk .vtp); the case keeps a copy</source>
@@ -15123,7 +15191,7 @@ Review</source>
     </message>
     <message>
         <source>a usual figure-of-eight (the case names none)</source>
-        <translation>一般的な 8 の字コイル (症例に指定なし)</translation>
+        <translation>汎用 8 の字 (指定なし)</translation>
     </message>
     <message>
         <source>without a name</source>
@@ -15492,7 +15560,7 @@ Review</source>
     </message>
     <message>
         <source>Pulse given</source>
-        <translation>照射を記録</translation>
+        <translation>刺激を記録</translation>
     </message>
     <message>
         <source>counts a TMS pulse and keeps where the coil was (P)</source>
@@ -15551,7 +15619,7 @@ Review</source>
     </message>
     <message>
         <source>entered after the pulse; double click to type another</source>
-        <translation>照射後に入力した値。ダブルクリックで入力し直せます</translation>
+        <translation>刺激後に入力した値。ダブルクリックで入力し直せます</translation>
     </message>
     <message>
         <source>pulse</source>
@@ -16036,11 +16104,11 @@ Review</source>
     </message>
     <message>
         <source>coil of the pulses</source>
-        <translation>照射するコイル</translation>
+        <translation>刺激するコイル</translation>
     </message>
     <message>
         <source>which of both coils gives the pulses of the next session</source>
-        <translation>次のセッションで照射するコイル</translation>
+        <translation>次のセッションで刺激するコイル</translation>
     </message>
     <message>
         <source>none</source>
@@ -16052,7 +16120,7 @@ Review</source>
     </message>
     <message>
         <source>pulses of?</source>
-        <translation>どちらが照射?</translation>
+        <translation>どちらで刺激?</translation>
     </message>
 </context>
 <context>
@@ -16194,7 +16262,7 @@ Review</source>
     </message>
     <message>
         <source>where pulses come from beside the key P: %1. It only listens; nothing is fired.</source>
-        <translation>P キーのほかにパルスを受け取る先: %1。受信するだけで、照射はしません。</translation>
+        <translation>P キーのほかにパルスを受け取る先: %1。受信するだけで、刺激はしません。</translation>
     </message>
     <message>
         <source>pulses from</source>
@@ -16273,7 +16341,7 @@ Review</source>
     </message>
     <message>
         <source>distance of coil and target at the pulses, median / 95th percentile, mm</source>
-        <translation>照射時のコイルと標的の距離、中央値 / 95 パーセンタイル (mm)</translation>
+        <translation>刺激時のコイルと標的の距離、中央値 / 95 パーセンタイル (mm)</translation>
     </message>
     <message>
         <source>time with face or coil lost, min:s</source>
@@ -17524,7 +17592,7 @@ Review</source>
     <name>facenav::ui::TreatSide</name>
     <message>
         <source>a pulse was given now</source>
-        <translation>今、照射しました</translation>
+        <translation>今、刺激しました</translation>
     </message>
     <message>
         <source>Aim</source>

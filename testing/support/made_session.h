@@ -93,7 +93,7 @@ inline casefile::Pulse madePulseOf(int number, int n, const MadeFrames& frames,
   pulse.offset = casefile::PulseOffset{values.distance_mm, values.lateral_mm, values.depth_mm,
                                        values.tilt_rad * 180.0 / M_PI, values.twist_rad * 180.0 / M_PI};
   pulse.status = is_on_target ? casefile::PulseStatus::on_target : casefile::PulseStatus::outside;
-  pulse.reason = is_on_target ? "" : "beside the target";
+  pulse.reason = is_on_target ? "" : "2.7 mm beside the target (2.0 allowed)";
   const double beside_mm = frames.offset_mm(n).x() - 1.0;
   if (has_mep) pulse.mep_uv = std::round(400.0 * std::exp(-0.1 * beside_mm * beside_mm));
   return pulse;
@@ -106,7 +106,8 @@ inline std::filesystem::path writeMadeSession(const std::filesystem::path& case_
            {"session started", ""},
            {"target", target.name},
            {"coil", "figure-8 70 mm"},
-           {"alignment", "aligned: 0.41 mm rms over 16000 points, \u00b10.8 mm at " + target.name},
+           {"alignment",
+            "aligned: 95 % within 0.8 mm at " + target.name + " (0.41 mm rms over 16000 points)"},
            {"face lost", "no_face"},
            {"face found", ""}})
     log.addEvent(event, detail);

@@ -16,10 +16,12 @@
 #include <QStyle>
 #include <QStyleOption>
 #include <QTabBar>
+#include <QTextBoundaryFinder>
 #include <QTextDocument>
 #include <QToolButton>
 #include <algorithm>
 
+#include "home/fitted_words.h"
 #include "shell/elided_label.h"
 #include "shell/status_chip.h"
 #include "shell/users_words.h"
@@ -78,14 +80,17 @@ bool mayBeShort(const QWidget& widget, const QString& text) {
   return ui::holdsUsersWords(widget) && widget.toolTip().contains(text);
 }
 
-/// Width of the longest word: it cannot be wrapped.
+/// Width of the longest part without a place to wrap: a word, or a few letters of Japanese.
 int longestWord_px(const QLabel& label) {
   int longest_px = 0;
   const bool is_plain = label.textFormat() == Qt::PlainText ||
                         (label.textFormat() == Qt::AutoText && !Qt::mightBeRichText(label.text()));
   if (!is_plain) return 0;
-  for (const QString& word : label.text().simplified().split(' '))
-    longest_px = std::max(longest_px, label.fontMetrics().horizontalAdvance(word));
+  for (const QString& word : label.text().simplified().split(' ')) {
+    QTextBoundaryFinder places(QTextBoundaryFinder::Line, word);
+    for (int from = 0, to = places.toNextBoundary(); to >= 0; from = to, to = places.toNextBoundary())
+      longest_px = std::max(longest_px, label.fontMetrics().horizontalAdvance(word.mid(from, to - from)));
+  }
   return longest_px;
 }
 
@@ -230,6 +235,8 @@ QStringList cutTexts(const QWidget& window) {
   for (const auto* each : visible<QWidget>(window))
     if (dynamic_cast<const ui::StatusChip*>(each) && !fits(each->sizeHint(), each->size()))
       faults << cut(*each, each->accessibleName(), each->sizeHint(), each->size());
+  for (const auto* each : visible<ui::FittedWords>(window))
+    if (!each->isWhole()) faults << nameOf(*each, each->words()) + " is cut in its smallest size";
   faults.removeAll(QString());
   return faults;
 }

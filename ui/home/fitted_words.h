@@ -15,6 +15,8 @@ class FittedWords : public QWidget {
   explicit FittedWords(double largest_pt, QWidget* parent = nullptr);
   void set(const QString& words, const QColor& colour);
   const QString& words() const { return words_; }
+  /// False if the words do not fit in the smallest size.
+  bool isWhole() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -22,6 +24,9 @@ class FittedWords : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QFont fittedFont() const;
+  bool fits(const QFont& shown) const;
+
   double largest_pt_;
   QString words_;
   QColor colour_;

@@ -46,6 +46,12 @@ QStringList placesToSave() {
   return places;
 }
 
+/// An advice with the full stop of the window's language.
+QString adviceInWords(const std::string& advice) {
+  const QString words = shownWords(advice);
+  return words.endsWith('.') ? HomeWindow::tr("%1.").arg(words.chopped(1)) : words;
+}
+
 }  // namespace
 
 HomeWindow::HomeWindow(const Services& services, QWidget* parent)
@@ -167,7 +173,7 @@ void HomeWindow::refresh() {
     const bool is_asked = presenter_.asksToFinish();
     showSteps(int(advice.step), false);
     sign_->set(is_asked ? steps::HomeSign::none : advice.sign, advice.arrow_rad, advice.is_refused);
-    words_->set(is_asked ? presenter_.words() : shownWords(advice.words),
+    words_->set(is_asked ? presenter_.words() : adviceInWords(advice.words),
                 themeColour(advice.is_refused && !is_asked ? Colour::stop_words : Colour::text));
   } else {
     const bool is_refused = !presenter_.refusal().isEmpty();

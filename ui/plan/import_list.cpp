@@ -1,6 +1,7 @@
 #include "plan/import_list.h"
 
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
 #include <set>
@@ -208,6 +209,14 @@ void ImportList::take(QTreeWidgetItem* changed) {
     presenter_.setTargetTaken(std::size_t(row.file), name, is_taken);
 }
 
+/// "line 3" in the window's language; any other place is a name in the file.
+QString ImportList::placeInFileWords(const std::string& where) {
+  static const QRegularExpression kLine("^line (\\d+)$");
+  const QString words = QString::fromStdString(where);
+  const auto line = kLine.match(words);
+  return line.hasMatch() ? tr("line %1").arg(line.captured(1)) : shownWords(words);
+}
+
 QString ImportList::describe() const {
   const ImportRow row = chosen();
   if (row.file < 0) return {};
@@ -215,7 +224,7 @@ QString ImportList::describe() const {
   QStringList lines;
   if (row.item >= 0) {
     const auto& previewed = file.preview.items[std::size_t(row.item)];
-    lines << tr("%1 (%2): %3").arg(row.name, shownWords(previewed.item.where), fateWords(previewed));
+    lines << tr("%1 (%2): %3").arg(row.name, placeInFileWords(previewed.item.where), fateWords(previewed));
     for (const auto& note : previewed.item.notes) lines << inWindowWords(note);
   } else {
     lines << tr("%1: %2").arg(currentItem()->text(kNameColumn), currentItem()->text(kFateColumn));

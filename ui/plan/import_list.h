@@ -38,6 +38,7 @@ class ImportList : public QTreeWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  static QString placeInFileWords(const std::string& where);
   void fill();
   void fillFile(int file);
   QTreeWidgetItem* addRow(QTreeWidgetItem* parent, const ImportRow& row, const QStringList& texts);

@@ -132,11 +132,15 @@ QMenu* TargetTools::headMenu() {
   addSite("Beam F3");
   addSite("Beam F4");
   menu->addSeparator();
-  auto* found = menu->addAction(QString());
-  found->setEnabled(false);
+  QList<QAction*> found;  // a line each, since a menu shows no line breaks
+  for (std::size_t i = 0; i < surface::kLandmarks.size(); ++i) {
+    found << menu->addAction(QString());
+    found.last()->setEnabled(false);
+  }
   connect(menu, &QMenu::aboutToShow, this, [this, found] {
     const WaitCursor waiting;
-    found->setText(head_.describe());
+    const QStringList lines = head_.describe().split('\n');
+    for (int i = 0; i < found.size(); ++i) found[i]->setText(lines.value(i));
   });
   return menu;
 }

@@ -15,6 +15,7 @@
 #include "shell/colour_legend.h"
 #include "shell/narrow_label.h"
 #include "shell/scene_view.h"
+#include "shell/shown_words.h"
 
 namespace facenav::ui {
 namespace {
@@ -86,7 +87,7 @@ QWidget* PulsesPage::makeChoice() {
   row->setContentsMargins(0, 0, 0, 0);
   column_ = new QComboBox(bar);
   column_->setAccessibleName(tr("number that is coloured"));
-  for (const auto& words : report::pulseColumns()) column_->addItem(tr(words.name));
+  for (const auto& words : report::pulseColumns()) column_->addItem(shownWords(QString(words.name)));
   column_->setToolTip(tr("the number by which the pulses are coloured and plotted"));
   legend_ = new ColourLegend(bar);
   heat_ = new QCheckBox(tr("MEP map"), bar);
@@ -179,8 +180,8 @@ void PulsesPage::showPulses() {
     layer_->set(steps::marksOf(pulses, session->places, presenter_.column(),
                                presenter_.marked() ? std::optional(presenter_.marked()) : std::nullopt));
     const auto range = steps::rangeOf(pulses, presenter_.column());
-    legend_->set(range ? tr(words.name) : tr("no pulse has: %1").arg(tr(words.name)), words.unit,
-                 words.decimals, range);
+    const QString name = shownWords(QString(words.name));
+    legend_->set(range ? name : tr("no pulse has: %1").arg(name), words.unit, words.decimals, range);
   }
   scene_->refresh();
 }

@@ -24,6 +24,20 @@ QString buildInWords() {
       .arg(QSysInfo::buildCpuArchitecture(), compiler, QString(QT_VERSION_STR));
 }
 
+QString useInWords(PartUse use) {
+  switch (use) {
+    case PartUse::linked:
+      return QObject::tr("linked");
+    case PartUse::compiled_in:
+      return QObject::tr("compiled in");
+    case PartUse::data:
+      return QObject::tr("data");
+    case PartUse::run:
+      return QObject::tr("run");
+  }
+  return {};
+}
+
 }  // namespace
 
 QString aboutAsHtml() {
@@ -36,7 +50,7 @@ QString aboutAsHtml() {
                  "</p><h2>" + QObject::tr("Parts that others made") + "</h2><table cellpadding='3'>";
   for (const LicensedPart& part : licensedParts())
     html += "<tr>" + cell(part.name) + cell(upstreamVersion(part.version)) + cell(part.licence) +
-            cell(toString(part.use)) + "</tr>";
+            cell(useInWords(part.use).toStdString()) + "</tr>";
   return html + "</table><p>" +
          QObject::tr("'facenav licences --spdx' writes this list as a bill of materials.") + "</p>";
 }

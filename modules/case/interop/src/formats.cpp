@@ -59,7 +59,7 @@ std::vector<Format> makeFormats() {
        isBrainsight, readBrainsight, writeBrainsight},
       {"localite", "Localite InstrumentMarker; with --session TriggerMarkers", "InstrumentMarker.xml", true,
        isLocalite, readLocalite, writeLocalite},
-      {"simnibs-csv", "SimNIBS positions", "simnibs.csv", false, isSimnibsCsv, readSimnibsCsv,
+      {"simnibs-csv", "coil positions of SimNIBS", "simnibs.csv", false, isSimnibsCsv, readSimnibsCsv,
        writeSimnibsCsv},
       {"simnibs-mat", "SimNIBS session for the simulation of all targets", "simnibs.mat", false, isSimnibsMat,
        readSimnibsMat, writeSimnibsMat},

@@ -61,7 +61,7 @@ bool isSimnibsCsv(const std::string& content) {
 
 OtherFile readSimnibsCsv(const Source& source) {
   OtherFile file;
-  file.words = "SimNIBS positions";
+  file.words = "coil positions of SimNIBS";
   file.space_words = "RAS";
   int number = 0;
   for (const auto& line : linesOf(source.content)) {

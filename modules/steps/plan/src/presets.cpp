@@ -28,11 +28,12 @@ std::vector<Preset> makePresets() {
               "hand knob, Yousry 1997; the start of the search for the hotspot, not the hotspot"),
       inBrain("m1-hand-right", "hand area of the right M1", guidance::handKnob(guidance::Side::right),
               kMirrored),
-      inBrain("dlpfc-fox", "left DLPFC", {-38, 44, 26},
+      inBrain("dlpfc-fox", "left prefrontal cortex (DLPFC)", {-38, 44, 26},
               "most anticorrelated with the subgenual cingulate in groups, Fox 2012"),
-      inBrain("dlpfc-fox-right", "right DLPFC", {38, 44, 26}, kMirrored),
-      inBrain("dlpfc-group", "left DLPFC", {-42, 44, 30}, "group target of later comparisons"),
-      inBrain("dlpfc-group-right", "right DLPFC", {42, 44, 30}, kMirrored),
+      inBrain("dlpfc-fox-right", "right prefrontal cortex (DLPFC)", {38, 44, 26}, kMirrored),
+      inBrain("dlpfc-group", "left prefrontal cortex (DLPFC)", {-42, 44, 30},
+              "group target of later comparisons"),
+      inBrain("dlpfc-group-right", "right prefrontal cortex (DLPFC)", {42, 44, 30}, kMirrored),
       {"beam-f3", "F3 by Beam's method, from three tape measures", "Beam 2009", std::nullopt},
       {"beam-f4", "F4 by Beam's method, from three tape measures", kMirrored, std::nullopt}};
   for (const std::string& site : guidance::eegSiteNames())

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "facenav/atlas/lobes.h"
+#include "facenav/core/number_text.h"
 
 namespace facenav::steps {
 namespace {
@@ -20,6 +20,14 @@ casefile::RegionConfidence summed(const std::string& region, std::vector<float> 
   const auto certain = std::upper_bound(doubts_mm.begin(), doubts_mm.end(), float(kCertain_mm) + 1e-3f);
   return {region, double(certain - doubts_mm.begin()) / double(doubts_mm.size()),
           double(doubts_mm[std::size_t(0.9 * double(doubts_mm.size() - 1))])};
+}
+
+/// Each side has a sentence of its own, since the window translates whole sentences.
+std::string lookAt(const std::string& region) {
+  const std::string left = "left ", right = "right ";
+  if (region.rfind(left, 0) == 0) return formatted("look at the left %s", region.c_str() + left.size());
+  if (region.rfind(right, 0) == 0) return formatted("look at the right %s", region.c_str() + right.size());
+  return "look at the " + region;
 }
 
 }  // namespace
@@ -50,11 +58,9 @@ std::vector<std::string> whereToLook(const std::vector<casefile::RegionConfidenc
   std::vector<std::string> words;
   for (const auto& r : regions) {
     if (r.confidence >= kLookBelow || words.size() == kMostWords) break;
-    char figures[96];
-    std::snprintf(figures, sizeof figures,
-                  ": the mask's edge is uncertain by %.0f mm there (confidence %.2f)", std::ceil(r.doubt_mm),
-                  r.confidence);
-    words.push_back("look at the " + r.region + figures);
+    words.push_back(lookAt(r.region) +
+                    formatted(": the mask's edge is uncertain by %.0f mm there (confidence %.2f)",
+                              std::ceil(r.doubt_mm), r.confidence));
   }
   return words;
 }

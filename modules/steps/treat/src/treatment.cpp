@@ -121,11 +121,14 @@ std::shared_ptr<PreparedTreatment> prepareTreatment(
 
 std::string alignmentWords(const AlignmentOutcome& alignment, const guidance::Target* target) {
   const bool is_stated = alignment.result.points == 0 && alignment.result.inlier_fraction > 0;
-  const std::string fit = is_stated ? std::string("by a file that states its error")
-                                    : formatted("%.2f mm rms over %d points", alignment.result.rms_mm,
-                                                int(alignment.result.points));
+  const double rms_mm = alignment.result.rms_mm;
+  const int points = int(alignment.result.points);
   const double bound_mm = target ? alignment.errorBound_mm(*target) : 0.0;
-  if (!(bound_mm > 0)) return "aligned: " + fit;
+  if (!(bound_mm > 0))  // whole sentences, since the window translates them whole
+    return is_stated ? std::string("aligned: by a file that states its error")
+                     : formatted("aligned: %.2f mm rms over %d points", rms_mm, points);
+  const std::string fit = is_stated ? std::string("by a file that states its error")
+                                    : formatted("%.2f mm rms over %d points", rms_mm, points);
   return formatted("aligned: 95 %% within %.1f mm at ", bound_mm) + target->name + " (" + fit + ")";
 }
 

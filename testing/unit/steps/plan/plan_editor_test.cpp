@@ -273,7 +273,7 @@ TEST(Presets, EachOfTheLeftHasOneOfTheRight) {
     EXPECT_TRUE(std::any_of(presets().begin(), presets().end(), isMirrored)) << preset.name;
   }
   EXPECT_EQ(presetNamed("dlpfc-fox-right").mni->mm, Eigen::Vector3d(38, 44, 26));
-  EXPECT_EQ(presetNamed("dlpfc-fox-right").words, "right DLPFC, MNI 38 44 26");
+  EXPECT_EQ(presetNamed("dlpfc-fox-right").words, "right prefrontal cortex (DLPFC), MNI 38 44 26");
   EXPECT_EQ(presetNamed("dlpfc-group-right").mni->mm, Eigen::Vector3d(42, 44, 30));
   EXPECT_FALSE(presetNamed("beam-f4").mni);
 }
