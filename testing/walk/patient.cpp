@@ -43,7 +43,7 @@ void Patient::prepare(const fs::path& input, TaskMonitor& monitor) {
 fs::path Patient::roomRecording() {
   const fs::path recording = folder_.path() / "room";
   if (!fs::exists(recording))
-    testing::runFacenav("simulate still --frames 60 -q -o '" + recording.string() + "'");
+    testing::runFacenav("simulate treatment --frames 60 -q -o '" + recording.string() + "'");
   return recording;
 }
 

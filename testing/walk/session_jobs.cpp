@@ -158,7 +158,11 @@ void treatInTheRoom(Patient& patient, const Look& look) {
   const auto& treat = window.treat();
   robot.step(
       "guiding", Page::stays, [&] { robot.press("3 Guide"); },
-      [&] { return treat.isGuiding() && treat.state() && treat.state()->camera_T_mri; }, 60000);
+      [&] {
+        const auto state = treat.state();
+        return treat.isGuiding() && state && state->camera_T_mri && state->coil;
+      },
+      60000);
   robot.step(
       "ending", Page::changes, [&] { robot.key(Qt::Key_E, Qt::ControlModifier); },
       [&] { return treat.isEnding(); });
