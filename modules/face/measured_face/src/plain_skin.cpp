@@ -11,7 +11,10 @@ namespace {
 constexpr double kBefore_mm = 180.0;  // distance of a hand or coil in front of the landmarks' centre
 constexpr double kAround_mm = 150.0;
 // Resolution beyond which plain skin shows little detail; larger images are reduced to it.
-constexpr double kPlainSkin_px_per_mm = 1.0, kUnknownDepth_mm = 600.0;
+constexpr double kPlainSkin_px_per_mm = 1.0;
+// Without a place of the face the whole picture is searched in all depths. In smaller pictures, since memory
+// and time of that search grow with the third power of their size.
+constexpr double kUnplaced_px_per_mm = 0.5, kUnknownDepth_mm = 600.0;
 
 cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {
   const Eigen::Vector2d px = cameras::project(rig.left, centre_mm);
@@ -24,8 +27,8 @@ cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_
 }  // namespace
 
 int plainReduction(const cameras::StereoRig& rig, const FaceInSpace& face) {
-  return cameras::reductionFor(rig, face.centre ? face.centre->mm.z() : kUnknownDepth_mm,
-                               kPlainSkin_px_per_mm);
+  if (!face.centre) return cameras::reductionFor(rig, kUnknownDepth_mm, kUnplaced_px_per_mm);
+  return cameras::reductionFor(rig, face.centre->mm.z(), kPlainSkin_px_per_mm);
 }
 
 void toWholePicture(stereo::FaceCloud& cloud, int times) {
