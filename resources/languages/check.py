@@ -75,11 +75,24 @@ def unmarked(items, is_shown=False, is_example=False):
                 yield core_sentences.literal(item)
 
 
+def unread(items):
+    """What tr() gets in place of a literal; lupdate does not see such a text, so it has no translation."""
+    for before, item in zip([None] + items, items):
+        if isinstance(item, tuple):
+            if before == "tr" and item[0] == 0 and item[1] and isinstance(item[1][0], str) and not item[1][0].startswith(('"', "const", "QString")):
+                yield "".join(each for each in item[1] if isinstance(each, str))
+            yield from unread(item[1])
+
+
 def window_faults(root):
     for path in sorted((root / "ui").rglob("*")):
         if path.suffix in (".cpp", ".h"):
-            for text in unmarked(core_sentences.Reader(core_sentences.tokens_of(path.read_text())).tree):
+            text_of_file = path.read_text()
+            tree = core_sentences.Reader(core_sentences.tokens_of(text_of_file)).tree
+            for text in unmarked(tree):
                 yield f"{path.relative_to(root)} shows a text without tr(): {text}"
+            for value in unread(tree) if "QT_TRANSLATE_NOOP" not in text_of_file else []:
+                yield f"{path.relative_to(root)} gives tr() a value, use shownWords or QT_TRANSLATE_NOOP: {value}"
 
 
 if __name__ == "__main__":

@@ -3,7 +3,11 @@
 // resources/languages/check.py finds the faults.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "support/run_program.h"
 
@@ -48,6 +52,7 @@ void Page::fill() {
   button_->setText("press it here");
   label_->setText(tr("%1 of %2 pulses").arg(1).arg(2));
   label_->setToolTip(tr("all pulses"));
+  label_->setText(tr(words_.name));
 }
 })");
   write(root / "app/gui_main.cpp", "");
@@ -63,12 +68,33 @@ void Page::fill() {
 </TS>)");
   const auto found = check(root);
   EXPECT_EQ(found.status, 1) << found.errors;
-  for (const char* fault : {"ui/page.cpp shows a text without tr(): press it here",
-                            "facenav_xx.ts lacks, in facenav::ui::Page: all pulses",
-                            "facenav_xx.ts lacks, in core: the head moved by %1 mm",
-                            "facenav_xx.ts has an unused text, in facenav::ui::Page: gone",
-                            "facenav_xx.ts has other values, in facenav::ui::Page: %1 of %2 pulses -> P %1"})
+  for (const char* fault :
+       {"ui/page.cpp shows a text without tr(): press it here",
+        "ui/page.cpp gives tr() a value, use shownWords or QT_TRANSLATE_NOOP: words_.name",
+        "facenav_xx.ts lacks, in facenav::ui::Page: all pulses",
+        "facenav_xx.ts lacks, in core: the head moved by %1 mm",
+        "facenav_xx.ts has an unused text, in facenav::ui::Page: gone",
+        "facenav_xx.ts has other values, in facenav::ui::Page: %1 of %2 pulses -> P %1"})
     EXPECT_NE(found.output.find(fault), std::string::npos) << fault << "\nis missing in:\n" << found.output;
+}
+
+// What an exception says is English. It is logged, or kept for a place that translates it, or shown by a
+// function that does.
+TEST(Languages, TheWindowShowsNoExceptionInEnglish) {
+  const std::vector<std::string> right{"shownWords(", "inWindowWords(", "logWarning(",
+                                       "failure = ",  "failure_ = ",    "throw Error("};
+  int seen = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "ui")) {
+    std::ifstream source(entry.path());
+    for (std::string line; entry.is_regular_file() && std::getline(source, line);) {
+      if (line.find("what()") == std::string::npos) continue;
+      ++seen;
+      EXPECT_TRUE(std::any_of(right.begin(), right.end(),
+                              [&](const auto& each) { return line.find(each) != std::string::npos; }))
+          << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GT(seen, 8);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ QWidget* PulsesPage::makeChoice() {
   row->setContentsMargins(0, 0, 0, 0);
   column_ = new QComboBox(bar);
   column_->setAccessibleName(tr("number that is coloured"));
-  for (const auto& words : report::pulseColumns()) column_->addItem(shownWords(QString(words.name)));
+  for (const auto& words : report::pulseColumns()) column_->addItem(shownWords(std::string(words.name)));
   column_->setToolTip(tr("the number by which the pulses are coloured and plotted"));
   legend_ = new ColourLegend(bar);
   heat_ = new QCheckBox(tr("MEP map"), bar);
@@ -170,6 +170,7 @@ void PulsesPage::showPulses() {
   column_->setCurrentIndex(int(presenter_.column()));
   layer_->clearHeat();
   const auto& words = report::wordsOf(presenter_.column());
+  const QString name = shownWords(std::string(words.name));
   if (!session) {
     layer_->set({});
     legend_->set({}, {}, 0, std::nullopt);
@@ -180,7 +181,6 @@ void PulsesPage::showPulses() {
     layer_->set(steps::marksOf(pulses, session->places, presenter_.column(),
                                presenter_.marked() ? std::optional(presenter_.marked()) : std::nullopt));
     const auto range = steps::rangeOf(pulses, presenter_.column());
-    const QString name = shownWords(QString(words.name));
     legend_->set(range ? name : tr("no pulse has: %1").arg(name), words.unit, words.decimals, range);
   }
   scene_->refresh();

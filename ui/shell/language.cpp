@@ -7,6 +7,7 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPainter>
+#include <QPainterPath>
 #include <QSettings>
 #include <QTranslator>
 #include <algorithm>
@@ -27,6 +28,7 @@ namespace {
 const char* const kRemembered = "appearance/language";
 const char* const kEnglish = "en";
 const char* const kInForce = "language";  // property of the application
+constexpr double kEdge_px = 3;            // edge of letters in a picture, half of it outside
 constexpr int kLeast_px = 8;              // smallest letters in a picture
 
 /// "ja" of "ja_JP" or "ja-JP"; empty if there is no such language here.
@@ -57,9 +59,12 @@ void paintPictureWords(const pictures::PicturePixels& on, const pictures::Pictur
   font.setPixelSize(std::max(kLeast_px, words.height_px * 5 / 3));  // letters of other scripts are finer
   while (font.pixelSize() > kLeast_px && QFontMetrics(font).horizontalAdvance(shown) > room_px)
     font.setPixelSize(font.pixelSize() - 1);
-  painter.setFont(font);
-  painter.setPen(QColor(words.colour[0], words.colour[1], words.colour[2]));
-  painter.drawText(words.left_px, words.base_px, shown);
+  QPainterPath letters;
+  letters.addText(words.left_px, words.base_px, font, shown);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto of = [](const pictures::PictureColour& rgb) { return QColor(rgb[0], rgb[1], rgb[2]); };
+  if (words.edge) painter.strokePath(letters, QPen(of(*words.edge), kEdge_px));
+  painter.fillPath(letters, of(words.colour));
 }
 
 /// Letters for the scenes: Debian's Japanese font, whichever is installed, and DejaVu. A name may have

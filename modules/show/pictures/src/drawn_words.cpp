@@ -12,7 +12,9 @@ std::shared_ptr<const WordsPainter>& painterInForce() {
   return painter;
 }
 
-std::uint8_t level(double value) { return std::uint8_t(value); }
+PictureColour inBytes(const cv::Scalar& rgb) {
+  return {std::uint8_t(rgb[0]), std::uint8_t(rgb[1]), std::uint8_t(rgb[2])};
+}
 
 /// The words as OpenCV can draw them: "?" for a character that is not ASCII.
 std::string inAscii(const std::string& words) {
@@ -22,6 +24,17 @@ std::string inAscii(const std::string& words) {
     if ((byte & 0xC0) != 0x80) ascii += byte < 0x80 ? c : '?';
   }
   return ascii;
+}
+
+void drawEdgedWords(cv::Mat& image, const std::string& words, const cv::Point& base_px,
+                    const Letters& letters) {
+  if (letters.edge) {
+    Letters edge = letters;
+    edge.colour = *letters.edge;
+    edge.thickness += 2;
+    drawFileWords(image, words, base_px, edge);
+  }
+  drawFileWords(image, words, base_px, letters);
 }
 
 }  // namespace
@@ -34,12 +47,11 @@ void setWordsPainter(WordsPainter painter) {
 void drawShownWords(cv::Mat& image, const std::string& words, const cv::Point& base_px,
                     const Letters& letters) {
   const auto painter = std::atomic_load(&painterInForce());
-  if (!painter) return drawFileWords(image, words, base_px, letters);
-  const int height_px = sizeOfWords("X", letters).height;
-  const cv::Scalar& colour = letters.colour;
-  (*painter)(
-      {image.data, image.cols, image.rows, image.step[0]},
-      {words, base_px.x, base_px.y, height_px, {level(colour[0]), level(colour[1]), level(colour[2])}});
+  if (!painter) return drawEdgedWords(image, words, base_px, letters);
+  PictureWords drawn{words, base_px.x, base_px.y, sizeOfWords("X", letters).height, inBytes(letters.colour),
+                     {}};
+  if (letters.edge) drawn.edge = inBytes(*letters.edge);
+  (*painter)({image.data, image.cols, image.rows, image.step[0]}, drawn);
 }
 
 void drawFileWords(cv::Mat& image, const std::string& words, const cv::Point& base_px,

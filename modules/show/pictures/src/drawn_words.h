@@ -3,6 +3,7 @@
 // another language than the window. Private to pictures.
 
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
 
 namespace facenav::pictures {
@@ -14,6 +15,7 @@ struct Letters {
   int thickness = 1;
   int font = cv::FONT_HERSHEY_SIMPLEX;
   int line = cv::LINE_AA;
+  std::optional<cv::Scalar> edge = {};  // its colour, for words on a picture of any brightness
 };
 
 /// Draws English words of a picture that a window shows, by the window's painter (pictures/picture_words.h)

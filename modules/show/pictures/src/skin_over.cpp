@@ -69,8 +69,9 @@ void drawPlace(CameraView& view, const RigidTransform<Camera, Mri>& camera_T_mri
   for (const cv::Point way : {cv::Point(arm, 0), cv::Point(0, arm)})
     cv::line(view.image, *px - way, *px + way, kOrange, view.thickness(1.4), cv::LINE_AA, 4);
   const cv::Point base_px(px->x / 16 + int(7 * view.unit), px->y / 16 - int(5 * view.unit));
-  drawShownWords(view.image, place.name, base_px,
-                 {0.45 * view.unit, kOrange, view.thickness(0.9), cv::FONT_HERSHEY_DUPLEX});
+  drawShownWords(
+      view.image, place.name, base_px,
+      {0.45 * view.unit, kOrange, view.thickness(0.9), cv::FONT_HERSHEY_DUPLEX, cv::LINE_AA, kDark});
 }
 
 }  // namespace

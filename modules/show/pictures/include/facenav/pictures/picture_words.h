@@ -7,16 +7,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace facenav::pictures {
+
+using PictureColour = std::array<std::uint8_t, 3>;  // R, G, B
 
 /// Holds one line of English words.
 struct PictureWords {
   std::string text;
   int left_px, base_px;  // where its base line begins
   int height_px;         // of a capital letter
-  std::array<std::uint8_t, 3> colour;
+  PictureColour colour;
+  std::optional<PictureColour> edge;  // round the letters
 };
 
 /// An 8-bit RGB picture that is being drawn.
