@@ -93,12 +93,12 @@ struct FitLimits {
       Origin::fitted,
       "on captures of the virtual room, the number not recorded: right heads +5 to +29 (+6.5 and more with "
       "the later fit), mirrored -5 to -55 (-9.7 and less); no other heads held out"};
-  static constexpr Evidence kStrangers{Origin::fitted,
-                                       "on drawn worlds 12000-12014 and 13000-13026 (even seeds, faces of 90 "
-                                       "to 480 px): 15 other heads under their "
-                                       "pictures, of which 4 pass the gate 'this person', have 7 to 39 at "
-                                       "0.46 to 0.86 bare, their own heads 33 and "
-                                       "more but for 3 of 112 to 198 px"};
+  static constexpr Evidence kStrangers{
+      Origin::fitted,
+      "on drawn worlds 12000-12014 and 13000-13026 (even seeds, faces of 90 to 480 px): 15 other heads under "
+      "their pictures, of which 4 pass the gate 'this person', have 7 to 39 at 0.46 to 0.86 bare, their own "
+      "heads 33 and more but for 3 of 112 to 198 px; held out: odd worlds 14001-14027, 0 of 26 other heads "
+      "accepted, 4 of 14 own ones refused by this alone"};
   static constexpr Evidence kOdds{Origin::chosen, "odds of 20 to 1"};
   static constexpr Evidence kScanner{
       Origin::chosen,
