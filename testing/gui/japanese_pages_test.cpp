@@ -227,7 +227,7 @@ TEST_F(JapanesePages, ALiveSession) {
         }),
         std::make_unique<live::fakes::Coil>(live::kMarker));
   };
-  const auto recording = QString::fromStdString(live::writeRecording(folder_.path(), 2000).string());
+  const auto recording = QString::fromStdString(live::writeRecording(folder_.path(), 6000).string());
   ASSERT_NO_FATAL_FAILURE(open(live::plannedCase(folder_.path(), true), services));
   window_->play(recording, true);
   ASSERT_TRUE(fixtures::waitFor([&] { return window_->treat().isRunning(); }));
