@@ -141,7 +141,8 @@ void addReport(CLI::App& app, Context& context) {
       "--source", request->source,
       "of --dicom: folder of the DICOM files that the case was prepared from; patient and study are "
       "taken from there");
-  verb->add_option("--language", request->language, "of its words: en, ja; names and notes stay as they are")
+  verb->add_option("--language", request->language,
+                   "language of the report's words; names and notes stay as they are")
       ->check(CLI::IsMember(languages()))
       ->capture_default_str();
   verb->add_flag("--no-pictures", request->has_no_pictures, "without pictures of the pulses on the cortex");

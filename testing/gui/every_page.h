@@ -23,7 +23,7 @@ struct Page {
 /// Lists the pages in the order of the clinic's path. The window needs an open case.
 std::vector<Page> everyPage();
 
-/// The same pages, and the tools of Treat.
+/// These pages, and the tools of Treat.
 std::vector<Page> pagesAndTools();
 
 /// Lets layouts and drawing come to rest.

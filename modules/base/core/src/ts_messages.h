@@ -17,7 +17,8 @@ struct TsFile {
   std::vector<TsMessage> messages;
 };
 
-/// Reads a text; what is no message is passed over.
+/// Reads the text of a file, up to a fault if it has one. Messages with plural forms are left out: modules
+/// write none.
 TsFile readTs(const std::string& text);
 
 }  // namespace core

@@ -65,7 +65,7 @@ void replacePoints(stereo::FusedCloud& cloud, const stereo::FaceCloud& average, 
   cloud = std::move(out);
 }
 
-/// Measures the average of the frames once more, from the surface that their clouds gave.
+/// Averages the frames on the surface that their clouds gave, and measures the average.
 void measureAverage(const cameras::StereoRig& rig, const AveragedPair& average, const FaceInSpace& landmarks,
                     stereo::FusedCloud& cloud) {
   if (average.frames() < 2 || cloud.face.cloud.empty()) return;
@@ -74,7 +74,7 @@ void measureAverage(const cameras::StereoRig& rig, const AveragedPair& average, 
     replacePoints(cloud, measureNear(rig, average.averaged(cloud.face.cloud), false, landmarks, silent),
                   int(average.frames()));
   } catch (const Error&) {
-    // The clouds' mean stands.
+    // The average shows too little: the mean of the clouds stays.
   }
 }
 

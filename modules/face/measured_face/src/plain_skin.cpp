@@ -12,8 +12,8 @@ constexpr double kBefore_mm = 180.0;  // distance of a hand or coil in front of 
 constexpr double kAround_mm = 150.0;
 // Resolution beyond which plain skin shows little detail; larger images are reduced to it.
 constexpr double kPlainSkin_px_per_mm = 1.0;
-// Without a place of the face the whole picture is searched in all depths. In smaller pictures, since memory
-// and time of that search grow with the third power of their size.
+// Where the face's place is unknown, the whole picture is searched in all depths. Smaller pictures are used
+// there: memory and time of that search grow with the third power of their size.
 constexpr double kUnplaced_px_per_mm = 0.5, kUnknownDepth_mm = 600.0;
 
 cv::Rect roiAround(const cameras::StereoRig& rig, const Eigen::Vector3d& centre_mm) {

@@ -113,7 +113,7 @@ TEST(JapaneseSentences, EachIsFoundWithNumbersInIt) {
     EXPECT_EQ(sentences.translated(filledIn(source)), filledIn(translation)) << source;
 }
 
-// As a refusal reaches the window: where, what happened, what to do.
+// A refusal reaches the window in three parts: where, what happened, what to do.
 TEST(JapaneseSentences, EachIsFoundInARefusalToo) {
   const std::string ts = japanese(), remedy = "use a scan of the whole head";
   const SentenceCatalogue sentences(ts, {"core"});
