@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "commands/commands.h"
+#include "commands/confirmation_option.h"
 #include "commands/live_option.h"
 #include "facenav/align/align_case.h"
 #include "facenav/align/alignment_seen.h"
@@ -25,7 +26,7 @@ struct AlignRequest {
   std::vector<std::filesystem::path> left, right;  // with dots, without
   std::string aligner, matcher = stereo::kDefaultMatcher, from;
   LiveChoice live;  // only its rig
-  bool is_json = false;
+  bool is_patient_confirmed = false, is_json = false;
 };
 
 cv::Mat readGrey(const std::filesystem::path& path) {
@@ -127,6 +128,7 @@ void runAlign(Context& context, const AlignRequest& request) {
   order.tries_all = true;
   if (!request.live.coil.words.empty()) order.coil = coilOf(request.live.coil);
   order.may_be_unsure = request.live.rig.empty();
+  order.is_patient_confirmed = request.is_patient_confirmed;
   if (request.live.rig.empty()) order.from = measured_face::alignedFrom(request.from);
   const auto aligned = steps::alignRecording(context.registrations, store, recording, order, context.monitor);
   const auto& outcome = aligned.outcome;
@@ -179,6 +181,7 @@ void addAlign(CLI::App& app, Context& context) {
                    "measures a face with dots by: " + stereo::denseMatcherList())
       ->check(understoodBy([](const std::string& name) { stereo::makeDenseMatcher(name); }))
       ->capture_default_str();
+  addConfirmationOption(*verb, request->is_patient_confirmed);
   verb->add_flag("--json", request->is_json, "the result as JSON");
   verb->callback([&context, request] { runAlign(context, *request); });
 }

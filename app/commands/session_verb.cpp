@@ -81,6 +81,7 @@ steps::TreatRecordingRequest requestOf(const SessionVerb& verb, const Context& c
   const auto library = coil_library::coilLibrary(verb.coil.library);
   if (!verb.coil.words.empty()) request.coil_file = coil_library::coilFileOf(verb.coil.words, library);
   request.aligner = verb.aligner;
+  request.is_patient_confirmed = verb.is_patient_confirmed;
   request.head_tracker = verb.head_tracker;
   request.coil_tracker = verb.coil_tracker;
   request.target = verb.target;

@@ -25,7 +25,7 @@ struct SessionVerb {
   std::string target, by, reason;
   std::optional<double> intensity_pct;
   std::string field_coil = steps::kUsualFieldCoil;
-  bool goes_on = false, has_commands = false;
+  bool goes_on = false, has_commands = false, is_patient_confirmed = false;
   std::string session;
   double speed = 1;
   int passes = 1;

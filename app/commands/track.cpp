@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/confirmation_option.h"
 #include "commands/session_verb.h"
 #include "commands/two_coils.h"
 #include "facenav/core/error.h"
@@ -24,6 +25,7 @@ void fillSession(const steps::TrackRequest& request, SessionVerb& session) {
   session.aligner = request.aligner;
   session.head_tracker = request.head_tracker;
   session.coil_tracker = request.coil_tracker;
+  session.is_patient_confirmed = request.is_patient_confirmed;
 }
 
 void treat(const SessionVerb& session, const std::filesystem::path& output, Context& context) {
@@ -123,6 +125,7 @@ void addTrack(CLI::App& app, Context& context) {
                    "method: " + steps::namesOf(context.registrations.coil_trackers))
       ->check(namedIn(context.registrations.coil_trackers))
       ->capture_default_str();
+  addConfirmationOption(*verb, request->is_patient_confirmed);
   verb->add_option("--aligner", request->aligner, "method: " + steps::namesOf(context.registrations.aligners))
       ->check(namedIn(context.registrations.aligners))
       ->capture_default_str();

@@ -286,6 +286,30 @@
         <source>run</source>
         <translation>実行</translation>
     </message>
+    <message>
+        <source>FaceNav</source>
+        <translation>FaceNav</translation>
+    </message>
+    <message>
+        <source>Is this the patient of case %1?</source>
+        <translation>この方は症例 %1 の患者ですか?</translation>
+    </message>
+    <message>
+        <source>%1
+
+Ask for name and date of birth. Say yes only if they are those of this case: with another person&apos;s MRI the target would be wrong.</source>
+        <translation>%1
+
+氏名と生年月日を尋ねてください。この症例のものと一致するときだけ「はい」を選んでください。別の人の MRI では標的が誤った場所になります。</translation>
+    </message>
+    <message>
+        <source>No, do not align</source>
+        <translation>いいえ、位置合わせしない</translation>
+    </message>
+    <message>
+        <source>Yes, checked: align</source>
+        <translation>はい、確認済み: 位置合わせする</translation>
+    </message>
 </context>
 <context>
     <name>SecondCoilChoice</name>
@@ -2491,14 +2515,6 @@
     <message>
         <source>check that this is the patient&apos;s own MRI, and measure the face again</source>
         <translation>患者本人の MRI か確認し、顔を計測し直してください</translation>
-    </message>
-    <message>
-        <source>not aligned: the face does not fit this MRI, or was measured too coarsely to tell%1</source>
-        <translation>位置合わせできません: 顔がこの MRI と合わないか、計測が粗くて判定できません%1</translation>
-    </message>
-    <message>
-        <source>check that this is the patient&apos;s own MRI; if it is, bring the cameras nearer, project dots, and keep hair and hands off the face</source>
-        <translation>患者本人の MRI か確認してください。本人のものなら、カメラを近づけ、ドットを投影し、髪と手を顔からどけてください</translation>
     </message>
     <message>
         <source>not aligned: the face fits this MRI only if a camera has turned sideways since the calibration (by %1 +/- %2 deg)</source>
@@ -11319,6 +11335,18 @@
     <message>
         <source>aligned: %1 mm rms over %2 points</source>
         <translation>位置合わせ済み: %2 点で %1 mm rms</translation>
+    </message>
+    <message>
+        <source>not aligned: the face fits this MRI, but was measured too coarsely to tell this person from others%1</source>
+        <translation>位置合わせできません: 顔はこの MRI に合いますが、計測が粗すぎて、この人と他の人を区別できません%1</translation>
+    </message>
+    <message>
+        <source>bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date of birth, and confirm that this is the patient&apos;s own MRI</source>
+        <translation>カメラを近づけ、ドットを投影し、髪や手が顔にかからないようにしてください。または氏名と生年月日を確かめ、患者本人の MRI であることを確認してください</translation>
+    </message>
+    <message>
+        <source>the face was measured too coarsely to tell this person from others: a person confirmed that this is the patient&apos;s own MRI</source>
+        <translation>顔の計測が粗すぎて、この人と他の人を区別できませんでした: 患者本人の MRI であることを人が確認しました</translation>
     </message>
 </context>
 <context>

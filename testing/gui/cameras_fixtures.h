@@ -64,7 +64,7 @@ class CamerasTest : public ::testing::Test {
       return std::make_unique<FakeCameras>(open_, unplugged_, hung_);
     };
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording,
-                             const coil_tracking::CoilModel*, TaskMonitor&) {
+                             const HeadKnown&, TaskMonitor&) {
       aligned_with_ = recording;
       steps::AlignmentOutcome outcome;
       outcome.result.camera_T_mri = fakes::cameraAtReference();

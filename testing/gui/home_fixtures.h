@@ -39,8 +39,7 @@ inline Services homeServices(std::shared_ptr<Seen> seen,
                              const std::string& refusal = {}) {
   Services services = fakeServices();
   if (!refusal.empty())
-    services.align = [refusal](const casefile::CaseStore&, const capture::Recording&,
-                               const coil_tracking::CoilModel*,
+    services.align = [refusal](const casefile::CaseStore&, const capture::Recording&, const HeadKnown&,
                                TaskMonitor&) -> steps::AlignmentOutcome { throw Error(refusal); };
   services.makeNavigator = [seen, off_mm](const session::NavigatorSetup& setup) {
     const RigidTransform<Marker, Marker> off(Eigen::Quaterniond::Identity(), off_mm);

@@ -34,9 +34,9 @@ class MarkedPicture : public ::testing::Test {
     };
     services_.makeSetupMethods = [] { return facenav::testing::setupMethods(); };
     services_.align = [this](const casefile::CaseStore&, const capture::Recording& recording,
-                             const coil_tracking::CoilModel* coil, TaskMonitor&) -> steps::AlignmentOutcome {
+                             const HeadKnown& known, TaskMonitor&) -> steps::AlignmentOutcome {
       aligned_ = recording;
-      coil_ = coil ? coil->name : "none";
+      coil_ = known.coil ? known.coil->name : "none";
       throw Error("not aligned: enough for this test");
     };
     QObject::connect(&treat_, &TreatPresenter::refused, [this](const QString& words) { refused_ = words; });

@@ -227,8 +227,8 @@ Services trueServices(const std::string& folder, std::shared_ptr<std::atomic<boo
   const auto head = readTruth<Camera, Mri>(folder, "head");
   const auto coil = readTruth<Camera, Marker>(folder, "coil");
   Services services = exampleServices();
-  services.align = [head](const casefile::CaseStore&, const capture::Recording& recording,
-                          const coil_tracking::CoilModel*, TaskMonitor&) {
+  services.align = [head](const casefile::CaseStore&, const capture::Recording& recording, const HeadKnown&,
+                          TaskMonitor&) {
     steps::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = head.front();
     outcome.result.rms_mm = 0.41, outcome.result.points = 16000;

@@ -20,8 +20,7 @@ inline const RigidTransform<Camera, Marker> kMarker(Eigen::Quaterniond::Identity
 /// Trackers that always see head and coil; the coil is at the planned target.
 inline Services fakeServices() {
   Services services;
-  services.align = [](const casefile::CaseStore&, const capture::Recording&, const coil_tracking::CoilModel*,
-                      TaskMonitor&) {
+  services.align = [](const casefile::CaseStore&, const capture::Recording&, const HeadKnown&, TaskMonitor&) {
     steps::AlignmentOutcome outcome;
     outcome.result.camera_T_mri = fakes::cameraAtReference();
     outcome.reference.frame = *fakes::frame(0, 0);

@@ -111,15 +111,55 @@ TEST(Treat, TheCameraPicturesAreShownHoweverSlowlyTheSceneIsRendered) {
   treat.end();
 }
 
+TEST(Treat, AFaceThatIsTooCoarseIsAlignedOnlyAfterAPersonConfirmsThePatient) {
+  testing::TemporaryFolder folder;
+  Services services = fakeServices();
+  services.align = [plain = services.align](const auto& store, const auto& recording, const auto& known,
+                                            auto& task) {
+    if (!known.is_patient_confirmed)
+      throw registration::PersonUnclear("not aligned: too coarse", "", "come nearer");
+    return plain(store, recording, known, task);
+  };
+  MainWindow window(services);
+  window.show();
+  window.openCase(QString::fromStdString(plannedCase(folder.path(), true).string()));
+  window.play(QString::fromStdString(writeRecording(folder.path(), 60).string()), false);
+  window.setWorkspace(Workspace::treat);
+  const auto question = [&] {
+    for (auto* box : window.findChildren<QMessageBox*>("person_question"))
+      if (box->isVisible()) return box;
+    return static_cast<QMessageBox*>(nullptr);
+  };
+  ASSERT_TRUE(fixtures::waitFor([&] { return question() != nullptr; }));
+  EXPECT_TRUE(question()->informativeText().contains("too coarse"));
+  EXPECT_EQ(question()->escapeButton(), question()->defaultButton()) << "Enter and Escape both mean no";
+  question()->reject();
+  auto* page = window.findChild<TreatWorkspace*>();
+  ASSERT_TRUE(fixtures::waitFor([&] { return !question(); }));
+  EXPECT_FALSE(window.treat().isAligned());
+  const auto buttons = page->findChildren<QPushButton*>();
+  const auto align = std::find_if(buttons.begin(), buttons.end(),
+                                  [](const auto* button) { return button->text().startsWith("2 Align"); });
+  ASSERT_NE(align, buttons.end());
+  (*align)->click();
+  ASSERT_TRUE(fixtures::waitFor([&] { return question() != nullptr; }));
+  for (auto* button : question()->buttons())
+    if (question()->buttonRole(button) == QMessageBox::AcceptRole) {
+      button->click();
+      break;
+    }
+  EXPECT_TRUE(fixtures::waitFor([&] { return window.treat().isAligned(); }));
+}
+
 TEST(Treat, AClickSaysAtOnceWhatItDoes) {
   if (!scene::hasDisplay()) GTEST_SKIP() << "no X display here: run under xvfb-run";
   testing::TemporaryFolder folder;
   std::promise<void> may_align;
   Services services = fakeServices();
   services.align = [plain = services.align, gate = std::shared_future<void>(may_align.get_future())](
-                       const auto& store, const auto& recording, const auto* coil, auto& task) {
+                       const auto& store, const auto& recording, const auto& known, auto& task) {
     gate.wait_for(std::chrono::seconds(20));
-    return plain(store, recording, coil, task);
+    return plain(store, recording, known, task);
   };
   MainWindow window(services);
   window.show();

@@ -157,7 +157,7 @@ void HomePresenter::align() {
       tr("Measuring the face"),
       [this, store = home_->store, seen, coil = home_->coil](TaskMonitor& monitor) -> TaskRunner::Delivery {
         auto outcome =
-            std::make_shared<steps::AlignmentOutcome>(services_.align(store, seen, &coil, monitor));
+            std::make_shared<steps::AlignmentOutcome>(services_.align(store, seen, {&coil, false}, monitor));
         return [this, outcome] { startTrackers(outcome); };
       });
 }

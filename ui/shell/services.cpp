@@ -65,11 +65,12 @@ void addPreparing(Services& services, const MakeMethods& makeMethods) {
 
 void addTreating(Services& services, const MakeMethods& makeMethods) {
   services.align = [makeMethods](const casefile::CaseStore& store, const capture::Recording& recording,
-                                 const coil_tracking::CoilModel* coil, TaskMonitor& monitor) {
+                                 const HeadKnown& known, TaskMonitor& monitor) {
     const auto methods = makeMethods();
     steps::AlignOrder order{methods.aligners.defaultName()};
     order.stored_pair_stands_in = true;
-    if (coil) order.coil = *coil;
+    if (known.coil) order.coil = *known.coil;
+    order.is_patient_confirmed = known.is_patient_confirmed;
     return steps::alignRecording(methods, store, recording, order, monitor).outcome;
   };
   services.seeAlignment = steps::seeAlignment;

@@ -46,6 +46,12 @@ struct RigVerifying {
   steps::VerifiedCameras::Told told = {};  // empty: it is not verified
 };
 
+/// What is known of a head that is aligned, besides its pictures.
+struct HeadKnown {
+  const coil_tracking::CoilModel* coil = nullptr;  // whose marker the pictures may show; null: the case's
+  bool is_patient_confirmed = false;               // as in steps::AlignOrder
+};
+
 struct Services {
   std::function<std::vector<dicom::SeriesInfo>(const std::filesystem::path&, TaskMonitor&)> listSeries;
   /// A small picture of a series; nothing if the series has no image.
@@ -65,10 +71,10 @@ struct Services {
   std::function<void(const PrepareOrder&, TaskMonitor&)> prepareCase;
   /// Builds the electric field's model of a case. Empty: it is not built.
   std::function<void(const std::filesystem::path& case_folder, TaskMonitor&)> buildField;
-  /// Aligns from a recording's capture pair, or from the one stored with the case. `coil`: the coil whose
-  /// marker the pictures may show; null: the case's. Stores the result in the case.
+  /// Aligns from a recording's capture pair, or from the one stored with the case. Stores the result in the
+  /// case.
   std::function<steps::AlignmentOutcome(const casefile::CaseStore&, const capture::Recording&,
-                                        const coil_tracking::CoilModel* coil, TaskMonitor&)>
+                                        const HeadKnown&, TaskMonitor&)>
       align;
   /// Makes what a person judges the alignment by. Empty: nothing is shown.
   std::function<steps::AlignmentSeen(const casefile::CaseStore&, const steps::AlignmentOutcome&)>

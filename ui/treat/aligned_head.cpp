@@ -3,11 +3,15 @@
 namespace facenav::ui {
 
 AlignedHead alignHead(const Services& services, const casefile::CaseStore& store,
-                      const capture::Recording& recording, const coil_tracking::CoilModel& coil,
-                      TaskMonitor& monitor) {
+                      const capture::Recording& recording, const HeadKnown& known, TaskMonitor& monitor) {
   AlignedHead aligned;
-  aligned.outcome =
-      std::make_shared<const steps::AlignmentOutcome>(services.align(store, recording, &coil, monitor));
+  try {
+    aligned.outcome =
+        std::make_shared<const steps::AlignmentOutcome>(services.align(store, recording, known, monitor));
+  } catch (const registration::PersonUnclear& error) {
+    aligned.person_unclear = error;
+    return aligned;
+  }
   if (!services.seeAlignment) return aligned;
   aligned.seen = services.seeAlignment(store, *aligned.outcome);
   aligned.picture = std::make_shared<const pictures::CameraOverlay>(

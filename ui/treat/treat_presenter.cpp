@@ -174,23 +174,30 @@ bool TreatPresenter::refuseCameras() {
   return !fault.isEmpty();
 }
 
-void TreatPresenter::align(bool then_start) {
+void TreatPresenter::align(bool then_start, bool is_patient_confirmed) {
   if (!canAlign()) {  // live cameras need current images, never an old capture
     if (refuseCameras()) return;
     if (is_live_ && mayTreat()) emit refused(tr("take the picture first (step 1)"));
     return;
   }
   if (hasTracker()) return alignByFile();
-  startTask(tr("Aligning the head"), tr("ALIGNING: the face is measured and fitted to the scan"),
-            [this, then_start, store = model_.current().store, is_overridden = model_.override().has_value(),
-             recording = *recording_, coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
-              steps::requireSignOff(store, is_overridden);
-              return [this, aligned = alignHead(services_, store, recording, coil, monitor), then_start] {
-                use(aligned);
-                emit changed();
-                if (then_start) start();
-              };
-            });
+  startTask(
+      tr("Aligning the head"), tr("ALIGNING: the face is measured and fitted to the scan"),
+      [this, then_start, is_patient_confirmed, store = model_.current().store,
+       is_overridden = model_.override().has_value(), recording = *recording_,
+       coil = coil_.model()](TaskMonitor& monitor) -> TaskRunner::Delivery {
+        steps::requireSignOff(store, is_overridden);
+        const auto aligned = alignHead(services_, store, recording, {&coil, is_patient_confirmed}, monitor);
+        return [this, aligned, then_start] {
+          if (aligned.person_unclear) {
+            emit changed();
+            return void(emit personUnclear(shownWords(*aligned.person_unclear), then_start));
+          }
+          use(aligned);
+          emit changed();
+          if (then_start) start();
+        };
+      });
 }
 
 /// Takes the alignment of the tool on the head from its file.
@@ -235,8 +242,9 @@ void TreatPresenter::goOn(const casefile::SessionSoFar& session) {
              is_overridden = model_.override().has_value()](TaskMonitor& monitor) -> TaskRunner::Delivery {
               steps::requireSignOff(store, is_overridden);
               const auto folder = steps::sessionToGoOnWith(store.folder(), session.name).folder;
-              return [this, aligned = alignHead(services_, store, recording, coil, monitor), folder,
-                      target = QString::fromStdString(session.target)] {
+              const auto aligned = alignHead(services_, store, recording, {&coil, false}, monitor);
+              if (aligned.person_unclear) throw *aligned.person_unclear;
+              return [this, aligned, folder, target = QString::fromStdString(session.target)] {
                 use(aligned);
                 chooseTarget(target);
                 if (!target.isEmpty() && !this->target())

@@ -43,7 +43,8 @@ class TreatPresenter : public QObject {
   /// Step 1: opens and checks a recording folder.
   void openRecording(const QString& folder);
   /// Step 2: aligns from the capture pair. Starts step 3 afterwards if `then_start`.
-  void align(bool then_start);
+  /// `is_patient_confirmed`: the answer to personUnclear().
+  void align(bool then_start, bool is_patient_confirmed = false);
   /// Step 3: runs from the cameras, or from the recording as if it were live.
   void start();
   /// Continues an earlier session of the case: its alignment, its target, its counts. Guidance is withheld
@@ -227,6 +228,9 @@ class TreatPresenter : public QObject {
  signals:
   void changed();
   void refused(const QString& words);
+  /// The face fits the case, but is too coarse to tell people apart: a person is to confirm the patient, and
+  /// then align(then_start, true). `words`: why.
+  void personUnclear(const QString& words, bool then_start);
   /// The session of that name was ended by end(), and its report is written.
   void sessionEnded(const QString& name);
   void overlayDrawn(std::shared_ptr<const facenav::pictures::DrawnOverlay> drawn);

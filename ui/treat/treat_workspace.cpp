@@ -20,6 +20,7 @@
 #include "treat/live_slices.h"
 #include "treat/override_panel.h"
 #include "treat/pause_panel.h"
+#include "treat/person_question.h"
 #include "treat/return_panel.h"
 #include "treat/treat_side.h"
 
@@ -78,6 +79,10 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&presenter_, &TreatPresenter::changed, this, &TreatWorkspace::showSteps);
   connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&projector_, &ProjectorPresenter::refused, &presenter_, &TreatPresenter::refused);
+  connect(&presenter_, &TreatPresenter::personUnclear, this, [this](const QString& why, bool then_start) {
+    askForPerson(*this, model_.current().label.isEmpty() ? model_.current().id : model_.current().label, why,
+                 [this, then_start] { presenter_.align(then_start, true); });
+  });
   connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
   connect(pictures_, &CameraRow::picked, this, [this](auto side, const QPointF& px, auto state) {
     if (tools_->isShown(Tool::check)) tip_.pick(side, px, *state);

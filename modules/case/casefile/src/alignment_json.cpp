@@ -17,6 +17,7 @@ double atLeastZero(const JsonReader& json) {
   return value;
 }
 
+const char* const kConfirmed = "confirmed";
 const char* const kCovariance = "pose_covariance_deg_mm";
 const char* const kFreedom = "pose_freedom";
 
@@ -84,6 +85,7 @@ void writeAlignment(const StoredAlignment& alignment, const std::filesystem::pat
   }
   if (alignment.face_size_error) json["face_size_error"] = *alignment.face_size_error;
   if (!alignment.cautions.empty()) json["cautions"] = alignment.cautions;
+  if (alignment.rests_on_confirmation) json["patient"] = kConfirmed;
   if (alignment.from) json["from"] = *alignment.from;
   if (alignment.matcher) json["matcher"] = *alignment.matcher;
   if (!alignment.settings.empty()) json["settings"] = alignment.settings;
@@ -112,6 +114,7 @@ StoredAlignment readAlignment(const std::filesystem::path& path) {
   if (json.has("face_size_error")) alignment.face_size_error = atLeastZero(json.at("face_size_error"));
   if (json.has("cautions"))
     for (const auto& words : json.at("cautions").elements()) alignment.cautions.push_back(words.text());
+  alignment.rests_on_confirmation = json.has("patient") && json.at("patient").text() == kConfirmed;
   if (json.has("from")) alignment.from = json.at("from").text();
   if (json.has("matcher")) alignment.matcher = json.at("matcher").text();
   return alignment;

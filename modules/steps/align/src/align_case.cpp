@@ -170,6 +170,7 @@ double leastOwn() { return settingsOf<registration::FitLimits>().least_own; }
 
 /// The ways tried so far.
 struct Attempts {
+  explicit Attempts(bool is_patient_confirmed) : is_patient_confirmed_(is_patient_confirmed) {}
   std::vector<AlignmentTry> tries;
   bool hasDenseDots() const { return best_ && best_->outcome.has_dense_dots; }
   /// True if dense dots fix the pose so well that no other pictures are needed.
@@ -183,9 +184,11 @@ struct Attempts {
   void take(Aligned aligned);
   std::optional<Aligned> best_;
   std::size_t used_ = 0;
+  bool is_patient_confirmed_;
   std::optional<Error> error_;
-  bool is_turn_unknown_ = false;  // error_ says so
-  double against_ = 0.0;          // least log odds of this person's scan by the refused ways; at most 0
+  bool is_turn_unknown_ = false;    // error_ says so
+  bool is_person_unclear_ = false;  // likewise
+  double against_ = 0.0;            // least log odds of this person's scan by the refused ways; at most 0
 };
 
 void Attempts::take(Aligned aligned) {
@@ -206,7 +209,7 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const Cancelled&) {
     throw;
   } catch (const UnknownTurn& error) {  // contains advice for use with or without a projector
-    error_ = error, is_turn_unknown_ = true;
+    error_ = error, is_turn_unknown_ = true, is_person_unclear_ = false;
     now.refusal = error.what();
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;
@@ -214,10 +217,13 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const registration::NotEnoughFace& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
+  } catch (const registration::PersonUnclear& error) {
+    if (!is_turn_unknown_) error_ = error, is_person_unclear_ = true;
+    now.refusal = error.what();
   } catch (const registration::NotThisPerson& error) {
     now.refusal = error.what();
     if (!best_ && error.own_log_odds < -leastOwn()) throw Error(inWordsOf(store, now.refusal));
-    if (!is_turn_unknown_) error_ = error;
+    if (!is_turn_unknown_) error_ = error, is_person_unclear_ = false;
     against_ = std::min(against_, error.own_log_odds);
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
@@ -231,9 +237,11 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
   // All ways show one head. If one way speaks against this person, the best one must speak for it more
   // strongly.
+  const double least = is_patient_confirmed_ ? 0.0 : leastOwn();
   const bool is_this_person =
-      best_ && (against_ >= 0 || best_->outcome.result.own_log_odds + against_ > leastOwn());
+      best_ && (against_ >= 0 || best_->outcome.result.own_log_odds + against_ > least);
   if (is_this_person) return std::move(*best_);
+  if (error_ && is_person_unclear_) throw registration::PersonUnclear(inWordsOf(store, error_->what()));
   if (error_) throw Error(inWordsOf(store, error_->what()));
   throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),
               "record a still pair (facenav record --capture) or a film of the face");
@@ -257,7 +265,11 @@ void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& 
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& given, const AlignOrder& order, TaskMonitor& monitor) {
   capture::Recording recording = given;
-  if (!recording.capture && order.stored_pair_stands_in) recording.capture = storedPair(store, recording);
+  bool is_patient_confirmed = order.is_patient_confirmed;
+  if (!recording.capture && order.stored_pair_stands_in) {
+    recording.capture = storedPair(store, recording);
+    is_patient_confirmed |= recording.capture && store.alignment()->rests_on_confirmation;
+  }
   const auto detector = methods.face_detector();
   const auto aligner = methods.aligners.create(order.aligner);
   const auto scalp = store.scalp();
@@ -273,10 +285,11 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                        order.matcher,
                        order.coil ? *order.coil : coilNamedIn({recording.folder, store.folder()}),
                        coil_tracker.get()};
+  setup.is_patient_confirmed = is_patient_confirmed;
   if (order.from) requirePictures(recording, *order.from);
   const bool shows_dots = areDotsSeen(recording, *detector);
   const bool was_projector_off = !shows_dots && recording.capture && hasPattern(*recording.capture);
-  Attempts attempts;
+  Attempts attempts(is_patient_confirmed);
   bool was_marker_sought = false;
   for (const measured_face::AlignedFrom from :
        order.from ? std::vector{*order.from} : waysOf(recording, shows_dots)) {

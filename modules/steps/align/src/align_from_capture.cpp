@@ -4,12 +4,14 @@
 #include <cmath>
 #include <functional>
 #include <future>
+#include <utility>
 
 #include "camera_doubts.h"
 #include "facenav/align/known_lengths.h"
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/settings_in_force.h"
+#include "facenav/health/rig_error.h"
 #include "facenav/measured_face/dotted_face.h"
 #include "facenav/measured_face/measured_face.h"
 #include "facenav/measured_face/plain_skin.h"
@@ -103,13 +105,18 @@ head_tracking::HeadReference makeReference(const cameras::StereoFrame& plain, co
 
 /// Runs `measureAndFit`; if it fails, runs it once more without the landmarks, under the same tests, because
 /// the detector may have found something else (a scan that ends at the nose, a poster, a mask). If both fail,
-/// returns the first error, which is more informative.
+/// returns the first error: the second may be about clothes or wallpaper, whatever it blames.
 std::exception_ptr withoutLandmarksIfMisled(measured_face::FaceInSpace& landmarks,
                                             const std::function<void()>& measureAndFit) {
   const auto first = failureOf(measureAndFit);
   if (!first || !landmarks.left) return first;
-  landmarks = {};
-  return failureOf(measureAndFit) ? first : nullptr;
+  const auto found = std::exchange(landmarks, {});
+  try {
+    if (!failureOf(measureAndFit)) return nullptr;
+  } catch (const health::RigError&) {
+  }
+  landmarks = found;
+  return first;
 }
 
 using Field = std::shared_future<std::shared_ptr<const registration::ScalpField>>;
@@ -143,6 +150,7 @@ void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field
   outcome.is_marker_seen = marker.has_value();
   auto start = startOf(rig, marker, outcome);
   if (model) addErrorsOf(*model, outcome.face.cloud, start);
+  start.is_patient_confirmed = setup.is_patient_confirmed;
   outcome.result = setup.aligner.align(*outcome.scalp, outcome.face.cloud, start, monitor);
 }
 
@@ -259,6 +267,7 @@ casefile::StoredAlignment AlignmentOutcome::stored() const {
   alignment.face_scale = result.face_scale;
   alignment.face_size_error = faceSizeError();
   alignment.cautions = result.cautions;
+  alignment.rests_on_confirmation = result.rests_on_confirmation;
   alignment.from = measured_face::nameOf(from);
   if (from == measured_face::AlignedFrom::dots && matcher != stereo::kDefaultMatcher)
     alignment.matcher = matcher;

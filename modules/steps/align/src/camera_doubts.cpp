@@ -3,6 +3,7 @@
 #include "facenav/health/pair_diagnosis.h"
 #include "facenav/health/rig_error.h"
 #include "facenav/measured_face/projected_dots.h"
+#include "facenav/registration/aligner.h"
 
 namespace facenav::steps {
 
@@ -31,8 +32,16 @@ std::string wordsOf(const std::exception_ptr& failure) {
                                   measured_face::AlignedFrom from, const std::exception_ptr& failure,
                                   bool is_measured, const std::string& matcher,
                                   const std::optional<cv::Rect>& face) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const registration::PersonUnclear&) {
+    throw;  // the face fits: nothing about the cameras is to be explained
+  } catch (const Error&) {
+  }
   const auto diagnosis = health::diagnosePair(rig, capture.plain, face);
-  if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
+  // Without a face only background and clothes are seen, which do not tell two moments.
+  const bool is_told = face || diagnosis.state != health::RigState::out_of_step;
+  if (diagnosis.isFault() && is_told) throw health::RigError(diagnosis, "not aligned: ");
   if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture) ||
       measured_face::showsDots(capture, face)) {
     if (is_measured) std::rethrow_exception(failure);

@@ -38,6 +38,7 @@ TreatmentFilm filmOf(const TreatRecordingRequest& request) {
 AlignOrder orderOf(const casefile::CaseStore& store, const TreatRecordingRequest& request) {
   AlignOrder order{request.aligner};
   order.stored_pair_stands_in = true;
+  order.is_patient_confirmed = request.is_patient_confirmed;
   if (request.coil_file) order.coil = coil_tracking::readCoil(*request.coil_file);
   if (!request.live) return order;
   const auto alignment = store.alignment();

@@ -53,14 +53,14 @@ struct Verdict {
 };
 
 const Verdict kVerdicts[] = {
-    {"least_own", [](FitEvidence& e) { e.own_log_odds = 2; }, "the face does not fit this MRI",
+    {"least_own", [](FitEvidence& e) { e.own_log_odds = 2; }, "too coarsely to tell this person from others",
      [](FitLimits& l) { l.least_own = 1; }},
     {"least_extent_mm", [](FitEvidence& e) { e.closeness.extent_mm = 40; }, "too little of the face",
      [](FitLimits& l) { l.least_extent_mm = 35; }},
     {"least_unmirrored", [](FitEvidence& e) { e.mirror_log_odds = 15; },
-     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.least_unmirrored = 10; }},
+     "too coarsely to tell this person from others", [](FitLimits& l) { l.least_unmirrored = 10; }},
     {"chosen_parts", [](FitEvidence& e) { e.closeness.bare_share = 0.3; },
-     "cannot be distinguished from its mirror image", [](FitLimits& l) { l.chosen_parts = 60; }},
+     "too coarsely to tell this person from others", [](FitLimits& l) { l.chosen_parts = 60; }},
     {"rival", [](FitEvidence& e) { e.rival_log_odds = 2; }, "fits in two places",
      [](FitLimits& l) { l.rival = 1.5; }},
     {"refused_scale_z", [](FitEvidence& e) { e.fitting_scale = 1.06; }, "106.0 % of its size",
@@ -116,7 +116,7 @@ TEST(FitChecks, TooFewPointsAreTooLittleOfAFace) {
 
 TEST(FitChecks, AMirroredScanIsNamedOnlyWhereTheMirrorImageFits) {
   FitEvidence evidence = rightHead();
-  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true, evidence.own_log_odds = 0;
+  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true, evidence.own_log_odds = -1;
   EXPECT_THAT(refusal(evidence), HasSubstr("left and right are swapped"));
   evidence.does_mirror_fit = false;
   EXPECT_THAT(refusal(evidence), HasSubstr("does not fit this MRI"));
@@ -133,6 +133,48 @@ TEST(FitChecks, ASymmetricFaceThatFitsBothWaysIsRefusedWithoutANameForIt) {
     evidence.does_mirror_fit = does_mirror_fit;
     EXPECT_THAT(refusal(evidence), HasSubstr("cannot be distinguished from its mirror image"));
   }
+}
+
+TEST(FitChecks, AConfirmationTellsThePersonWhereTheFaceIsTooCoarse) {
+  void (*const coarse[])(FitEvidence&) = {[](FitEvidence& e) { e.own_log_odds = 2; },
+                                          [](FitEvidence& e) { e.mirror_log_odds = 15; },
+                                          [](FitEvidence& e) { e.closeness.bare_share = 0.3; }};
+  for (const auto spoil : coarse) {
+    FitEvidence evidence = rightHead();
+    spoil(evidence);
+    EXPECT_THROW(requireTrust(evidence), PersonUnclear);
+    EXPECT_FALSE(restsOnConfirmation(evidence));
+    evidence.is_patient_confirmed = true;
+    EXPECT_EQ(refusal(evidence), "");
+    EXPECT_TRUE(restsOnConfirmation(evidence));
+    EXPECT_THAT(cautionsOf(evidence), ::testing::Contains(HasSubstr("a person confirmed")));
+  }
+}
+
+TEST(FitChecks, AConfirmationHelpsNoFaceThatSpeaksAgainstTheScan) {
+  void (*const wrong[])(FitEvidence&) = {
+      [](FitEvidence& e) { e.own_log_odds = -0.1; },  // another person
+      [](FitEvidence& e) { e.own_log_odds = -9, e.mirror_log_odds = -8, e.does_mirror_fit = true; },
+      [](FitEvidence& e) { e.mirror_log_odds = 5; },  // may be mirrored
+      [](FitEvidence& e) { e.rival_log_odds = 2; },   // may be elsewhere
+      [](FitEvidence& e) { e.fitting_scale = 1.06; },
+      [](FitEvidence& e) { e.closeness.extent_mm = 40; },
+      [](FitEvidence& e) { e.predicted_error_mm = std::numeric_limits<double>::infinity(); }};
+  for (const auto spoil : wrong) {
+    FitEvidence evidence = rightHead();
+    spoil(evidence);
+    const std::string before = refusal(evidence);
+    EXPECT_NE(before, "");
+    evidence.is_patient_confirmed = true;
+    EXPECT_EQ(refusal(evidence), before);
+  }
+}
+
+TEST(FitChecks, AConfirmationThatIsNotNeededLeavesNoTrace) {
+  FitEvidence evidence = rightHead();
+  evidence.is_patient_confirmed = true;
+  EXPECT_FALSE(restsOnConfirmation(evidence));
+  EXPECT_TRUE(cautionsOf(evidence).empty());
 }
 
 TEST(FitChecks, AnErrorThatIsNoNumberIsNoSmallOne) {

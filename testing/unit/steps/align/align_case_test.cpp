@@ -33,6 +33,8 @@ struct Answers {
   registration::AlignmentStart start = {};  // prior knowledge at the last alignment
 };
 
+constexpr double kUnclear = 5.5;  // log odds of a face that is too coarse to tell persons apart
+
 class FakeAligner : public registration::Aligner {
  public:
   explicit FakeAligner(Answers& answers) : answers_(answers) {}
@@ -44,8 +46,13 @@ class FakeAligner : public registration::Aligner {
     if (sigma_mm < 0) throw Error("not aligned: the MRI is mirrored");
     registration::AlignmentResult result;
     result.own_log_odds = answers_.own_log_odds.empty() ? 20.0 : answers_.own_log_odds.at(answers_.asked - 1);
-    if (result.own_log_odds == 0) throw registration::NotEnoughFace("not aligned: too little of the face");
-    if (result.own_log_odds < 6)
+    if (result.own_log_odds == kUnclear) {
+      if (!start.is_patient_confirmed)
+        throw registration::PersonUnclear("not aligned: too coarse to tell this person from others");
+      result.rests_on_confirmation = true;
+    } else if (result.own_log_odds == 0)
+      throw registration::NotEnoughFace("not aligned: too little of the face");
+    if (result.own_log_odds < 6 && !result.rests_on_confirmation)
       throw registration::NotThisPerson("not aligned: the face does not fit this MRI", "",
                                         result.own_log_odds);
     result.covariance.diagonal().tail<3>().setConstant(sigma_mm * sigma_mm / 3);
@@ -133,6 +140,8 @@ class AlignRecording : public ::testing::Test {
     order.from = from;
     order.tries_all = true;
     order.may_be_unsure = may_be_unsure_;
+    order.is_patient_confirmed = is_patient_confirmed_;
+    order.stored_pair_stands_in = stored_pair_stands_in_;
     return alignRecording(methods_, *store_, recording, order, monitor);
   }
   std::string refusal(const capture::Recording& recording) {
@@ -155,10 +164,42 @@ class AlignRecording : public ::testing::Test {
   std::shared_ptr<const face::FaceDetector> detector_;
   std::optional<casefile::CaseStore> store_;
   Answers answers_;
-  bool may_be_unsure_ = false;
+  bool may_be_unsure_ = false, is_patient_confirmed_ = false, stored_pair_stands_in_ = false;
   const cameras::StereoRig rig_ = facenav::testing::faceRig();
   capture::Recording recording_;
 };
+
+TEST_F(AlignRecording, AsksAPersonWhereTheFaceIsTooCoarseAndStoresTheAnswer) {
+  recording_.capture = plain();
+  may_be_unsure_ = true;
+  answers_ = {{0.3, 0.3}, {kUnclear, kUnclear}};
+  EXPECT_THROW(align(recording_), registration::PersonUnclear);
+  EXPECT_FALSE(store_->alignment()) << "nothing is stored before a person answers";
+  is_patient_confirmed_ = true;
+  EXPECT_TRUE(align(recording_).outcome.result.rests_on_confirmation);
+  ASSERT_TRUE(store_->alignment());
+  EXPECT_TRUE(store_->alignment()->rests_on_confirmation);
+}
+
+TEST_F(AlignRecording, AConfirmationHoldsForTheSamePicturesOnly) {
+  recording_.capture = plain();
+  may_be_unsure_ = is_patient_confirmed_ = true;
+  answers_ = {std::vector<double>(4, 0.3), std::vector<double>(4, kUnclear)};
+  align(recording_);
+  is_patient_confirmed_ = false;
+  EXPECT_THROW(align(recording_), registration::PersonUnclear) << "new pictures, another person perhaps";
+  stored_pair_stands_in_ = true;
+  recording_.capture.reset();
+  EXPECT_TRUE(align(recording_).outcome.result.rests_on_confirmation);
+}
+
+TEST_F(AlignRecording, AConfirmationThatWasNotNeededIsNotStored) {
+  recording_.capture = plain();
+  may_be_unsure_ = is_patient_confirmed_ = true;
+  answers_ = {{0.3}, {20.0}};
+  align(recording_);
+  EXPECT_FALSE(store_->alignment().value().rests_on_confirmation);
+}
 
 TEST_F(AlignRecording, OfDotsAndPlainSkinUsesWhatPromisesLessErrorAndSaysWhatTheOtherWouldGive) {
   recording_.capture = dotted();

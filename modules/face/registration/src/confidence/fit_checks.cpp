@@ -202,27 +202,39 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
   throw NotEnoughFace("not aligned: " + why, {}, remedy);
 }
 
-/// Refuses a face that does not fit, or one that was measured so coarsely that other heads fit as well.
-[[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
-  const std::string measured = " (" + percent(evidence.closeness.bare_share) +
-                               " of it lies on the skin, by " + fixed(evidence.closeness.bare_mm, 1) + " mm)";
-  if (evidence.own_log_odds < 0)
-    throw NotThisPerson("not aligned: the face does not fit this MRI" + measured,
-                        "check that this is the patient's own MRI, and measure the face again",
-                        evidence.own_log_odds);
-  throw NotThisPerson(
-      "not aligned: the face does not fit this MRI, or was measured too coarsely to tell" + measured,
-      "check that this is the patient's own MRI; if it is, bring the cameras nearer, project dots, and keep "
-      "hair and hands off the face",
-      evidence.own_log_odds);
-}
-
-/// Least log odds against the mirror image. It stands for another person too: coarsely measured strangers fit
-/// both nearly as well. Where much counts as covered, the fit could choose the parts that lie on the skin,
-/// and strangers fit there by chance.
+/// Least log odds against the mirror image of a face that alone tells the person. They stand for other
+/// persons too: coarsely measured strangers fit both nearly as well. Where much counts as covered, the fit
+/// could choose the parts that lie on the skin, and strangers fit there by chance.
 double leastUnmirrored(double bare_share) {
   const FitLimits& limits = settingsOf<FitLimits>();
   return limits.least_unmirrored + limits.chosen_parts * std::max(0.0, kWholeFace - bare_share);
+}
+
+/// True if the face alone tells that the scan is this person's.
+bool isPersonTold(const FitEvidence& evidence) {
+  return evidence.own_log_odds > settingsOf<FitLimits>().least_own &&
+         evidence.mirror_log_odds >= leastUnmirrored(evidence.closeness.bare_share);
+}
+
+std::string measuredAs(const Closeness& closeness) {
+  return " (" + percent(closeness.bare_share) + " of it lies on the skin, by " + fixed(closeness.bare_mm, 1) +
+         " mm)";
+}
+
+[[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
+  throw NotThisPerson("not aligned: the face does not fit this MRI" + measuredAs(evidence.closeness),
+                      "check that this is the patient's own MRI, and measure the face again",
+                      evidence.own_log_odds);
+}
+
+[[noreturn]] void refuseAsUnclear(const FitEvidence& evidence) {
+  throw PersonUnclear(
+      "not aligned: the face fits this MRI, but was measured too coarsely to tell this person from others" +
+          measuredAs(evidence.closeness),
+      {},
+      "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date "
+      "of "
+      "birth, and confirm that this is the patient's own MRI");
 }
 
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {
@@ -258,20 +270,25 @@ void requireLikeness(const FitEvidence& evidence) {
     refuseAsTooLittle("too little of the face was measured",
                       "show the whole face to both cameras, with the dots on it");
   const bool is_own = evidence.own_log_odds > limits.least_own;
-  const bool is_resized = is_own && isRareSize(evidence.fitting_scale, 0.0);
   // A symmetric face, measured coarsely, may fit both ways. Mirrored is one that does not fit as it is.
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_own)
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
-  if (is_resized) refuseSize(evidence.fitting_scale);
-  if (!is_own) refuseAsAnother(evidence);
-  if (evidence.mirror_log_odds < leastUnmirrored(evidence.closeness.bare_share))
+  if (evidence.own_log_odds < 0) refuseAsAnother(evidence);
+  if (is_own && isRareSize(evidence.fitting_scale, 0.0)) refuseSize(evidence.fitting_scale);
+  // Nobody can see whether a scan is mirrored, so a confirmation does not replace these odds.
+  if (evidence.mirror_log_odds < limits.least_own)
     refuseAsTooLittle("the face cannot be distinguished from its mirror image",
                       "bring the cameras nearer, project dots, and show more of the face to both cameras; "
                       "check that this is the patient's own MRI, its left and right not swapped");
   if (evidence.rival_log_odds < limits.rival)
     refuseAsTooLittle("the pose is ambiguous: the face fits in two places",
                       "show more of the face to both cameras");
+  if (!evidence.is_patient_confirmed && !isPersonTold(evidence)) refuseAsUnclear(evidence);
+}
+
+bool restsOnConfirmation(const FitEvidence& evidence) {
+  return evidence.is_patient_confirmed && !isPersonTold(evidence);
 }
 
 void requireTrust(const FitEvidence& evidence) {
@@ -306,6 +323,10 @@ std::vector<std::string> cautionsOf(const FitEvidence& evidence) {
   if (loose_mm > limits.loose_mm)
     cautions.push_back("the skin fits loosely (by " + fixed(loose_mm, 1) +
                        " mm): check that this is the patient's own MRI, and a calm face");
+  if (restsOnConfirmation(evidence))
+    cautions.push_back(
+        "the face was measured too coarsely to tell this person from others: a person confirmed "
+        "that this is the patient's own MRI");
   if (isPartlyCovered(evidence))
     cautions.push_back(percent(1 - evidence.closeness.bare_share) +
                        " of the face is covered (a mask, hair, a hand): the rest was aligned");

@@ -31,7 +31,8 @@ struct FitEvidence {
   // Log likelihood ratio of this person's scan to another's, and the size of the live face over that of the
   // scan at which the face is likeliest.
   double own_log_odds = 0.0, fitting_scale = 1.0;
-  double rival_log_odds = 1e9;  // log likelihood ratio of the pose to the best other pose
+  double rival_log_odds = 1e9;        // log likelihood ratio of the pose to the best other pose
+  bool is_patient_confirmed = false;  // as in AlignmentStart
 };
 
 /// Thrown if the cameras are no longer positioned as calibrated: another pose would not help.
@@ -45,8 +46,11 @@ FitEvidence gatherEvidence(const ScalpField& scalp, const PointCloud<Camera>& fa
                            const Eigen::Isometry3d& mri_T_camera, const Covers& covers,
                            const std::vector<Candidate>& rivals, double noise_mm);
 
+/// True if a person's confirmation decides that the scan is of the patient in view.
+bool restsOnConfirmation(const FitEvidence& evidence);
+
 /// Checks that it is this face, as far as possible before the pose's error is known. Throws Error("not
-/// aligned: ...") naming the first reason.
+/// aligned: ...") naming the first reason; PersonUnclear if nothing else speaks against the fit.
 void requireLikeness(const FitEvidence& evidence);
 
 /// Does requireLikeness(), and checks that the observations determine the pose well enough.

@@ -186,6 +186,7 @@ AlignmentResult report(const ScalpField& scalp, const PointCloud<Camera>& face, 
   if (evidence.scale_sigma > 0) result.face_scale = FaceScale{evidence.scale, evidence.scale_sigma};
   requireTrust(evidence);
   result.own_log_odds = evidence.own_log_odds;
+  result.rests_on_confirmation = restsOnConfirmation(evidence);
   result.cautions = cautionsOf(evidence);
 
   std::vector<int> all(face.size());

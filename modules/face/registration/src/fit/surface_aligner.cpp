@@ -26,7 +26,9 @@ AlignmentResult conclude(const ScalpField& scalp, const PointCloud<Camera>& face
                          TaskMonitor& monitor) {
   monitor.report("modelling the skin's misfit", 0.7);
   auto gathering = std::async(std::launch::async, [&] {
-    return gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals, start.noise_mm);
+    FitEvidence all = gatherEvidence(scalp, face, robust.mri_T_camera, robust.covers, rivals, start.noise_mm);
+    all.is_patient_confirmed = start.is_patient_confirmed;
+    return all;
   });
   std::optional<FinalFit> fit;
   try {

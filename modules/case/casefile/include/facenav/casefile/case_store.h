@@ -37,6 +37,7 @@ struct StoredAlignment {
   /// camera since the calibration. Nothing: not estimated, or an older file.
   std::optional<double> face_size_error;
   std::vector<std::string> cautions;           // in plain words
+  bool rests_on_confirmation = false;          // a person confirmed that the case is this patient's
   std::optional<std::string> from;             // what the face was measured on: "dots", "plain", "film"
   std::optional<std::string> matcher;          // set if the face was not measured with the default matcher
   SettingValues settings = changedSettings();  // settings that differ from their defaults

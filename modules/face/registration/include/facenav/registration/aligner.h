@@ -63,6 +63,9 @@ struct AlignmentStart {
   /// The turn as measured without the face (a marker or a board of known size), fused with the fit's own. If
   /// they contradict each other, the one that is more standard errors from zero is used.
   std::optional<CameraTurn> known_turn;
+  /// A person confirmed that the scan is of the patient in view. This counts where a coarsely measured face
+  /// fits the scan, but other heads would fit as well. It does not help a face that speaks against the scan.
+  bool is_patient_confirmed = false;
 };
 
 /// Size of the live face divided by that of the scan, with the standard error of the fit. Errors of scanner
@@ -90,8 +93,9 @@ struct AlignmentResult {
   /// Apparent motion of the head by one standard error of that turn: left increment in Camera (rotation rad
   /// about Camera's origin, mm). It is not part of `covariance`.
   Vector6d head_by_turn = Vector6d::Zero();
-  double own_log_odds = 0.0;          // log likelihood ratio of this person's scan to another's
-  std::vector<std::string> cautions;  // for users: what a clinician must check before trusting the fit
+  double own_log_odds = 0.0;           // log likelihood ratio of this person's scan to another's
+  bool rests_on_confirmation = false;  // without AlignmentStart::is_patient_confirmed it would be refused
+  std::vector<std::string> cautions;   // for users: what a clinician must check before trusting the fit
 
   /// Uncertainty for cameras positioned as calibrated.
   PoseUncertainty uncertainty() const { return {covariance, freedom}; }
@@ -124,6 +128,13 @@ class NotThisPerson : public Error {
   NotThisPerson(const std::string& what, const std::string& remedy, double log_odds)
       : Error(what, {}, remedy), own_log_odds(log_odds) {}
   double own_log_odds;  // of this person's scan against another's
+};
+
+/// Thrown where the face fits the scan, at one pose, but was measured too coarsely to tell this person from
+/// others. Other pictures may show it, or a person confirms it (AlignmentStart::is_patient_confirmed).
+class PersonUnclear : public Error {
+ public:
+  using Error::Error;
 };
 
 class Aligner {

@@ -26,8 +26,11 @@ struct AlignOrder {
   /// Coil whose marker may be in the pictures; empty: the recording's, else the case's (coil.json), else the
   /// default one.
   std::optional<coil_tracking::CoilModel> coil = {};
-  /// A recording without a capture pair uses the pair of the case's last alignment.
+  /// A recording without a capture pair uses the pair of the case's last alignment. A confirmation of the
+  /// patient that this alignment rests on holds for the same pictures.
   bool stored_pair_stands_in = false;
+  /// A person checked that the case is that of the patient in view (registration::AlignmentStart).
+  bool is_patient_confirmed = false;
 };
 
 /// Caution for an alignment without dots in which nothing measured a camera's turn.
@@ -53,8 +56,9 @@ struct CaseAlignment {
 /// coil's marker, at rest in the same pictures, measures the cameras' pose, if its bound with all unknowns is
 /// small, or if the order allows an unsure one. If the best pictures show another head or moved cameras, no
 /// other pictures are tried. Writes alignment.json, the map of the skin's fit and the pictures into the case.
-/// Throws Error ("not aligned: ..") if no way is accepted, or if `order.from` names absent pictures; the
-/// previous alignment is then unchanged.
+/// Throws Error ("not aligned: ..") if no way is accepted, or if `order.from` names absent pictures;
+/// registration::PersonUnclear if all that is missing is a person's confirmation. The previous alignment is
+/// then unchanged.
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& recording, const AlignOrder& order,
                              TaskMonitor& monitor);

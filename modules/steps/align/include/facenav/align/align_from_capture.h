@@ -84,6 +84,7 @@ struct AlignmentSetup {
   coil_tracking::CoilTracker* coil_tracker = nullptr;
   /// The marker as observed at rest at the same time, if known. Else the still pair is searched for it.
   std::optional<health::ScaleObservation> marker = {};
+  bool is_patient_confirmed = false;  // as in registration::AlignmentStart
 };
 
 /// Corners of the coil's first marker while the coil is held at the target.

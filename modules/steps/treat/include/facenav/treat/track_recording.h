@@ -24,6 +24,7 @@ struct TrackRequest {
   head_tracking::Pace pace = head_tracking::Pace::patient;     // a recording may take longer than real time
   std::optional<std::filesystem::path> second_coil_file = {};  // a second coil; nothing: none
   std::string second_target = {};                              // its target in the case; empty: none
+  bool is_patient_confirmed = false;                           // as in AlignOrder
 };
 struct TrackOutcome {
   std::vector<casefile::PoseRow> poses;       // two rows a frame: head, coil

@@ -58,6 +58,7 @@ struct TreatRecordingRequest {
   std::optional<std::filesystem::path> second_coil_file = {};  // a second coil; nothing: none
   std::string second_target = {};                              // its target; empty: none
   CoilOfSource coil_of_source = {};
+  bool is_patient_confirmed = false;  // as in AlignOrder
 
   /// True if it goes on until it is ended, or for a time.
   bool isLive() const { return live || other_tracker; }
