@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/health/pair_matches.h"
+#include "facenav/health/rig_monitor.h"
 #include "relative_pose.h"
 #include "skin_evenness.h"
 
@@ -11,20 +13,28 @@ namespace facenav::health {
 namespace {
 
 constexpr std::size_t kFewestMatches = 25;
-// Standard error of one match on skin: texture, noise, slant of skin and compression.
+// Least standard error of one match on skin: slant of skin and compression. A noisy picture's is larger.
 constexpr double kMatchSigma_px = 0.3;
-constexpr double kAgrees_px = 1.0;
-// Limits between that error and the effect of the smallest motion that differs from noise: 1 px of parallax.
-constexpr double kHolds_px = 0.5, kSwappedHolds_px = 1.0;
-constexpr double kExplainedShare = 0.7, kExplained_px = 0.4;
+// Limits in standard errors of a match: of the median, and of one match that agrees.
+constexpr double kHolds = 1.7, kSwappedHolds = 3.3, kExplained = 1.3, kAgrees = 3.3;
+constexpr double kExplainedShare = 0.7;
 constexpr double kExplainedCost = 3.8;  // cost per match: 1.9 for pure Student's t, twice that on skin
 constexpr PosePrior kKnock{0.02, 3.0};  // as in RigMonitor
 constexpr PosePrior kAnyRig{0.25, 60.0};
 constexpr double kKnockDoubt = 25.0;  // decrease of cost: above this it is not a knock
 constexpr std::size_t kFewestOnSkin = 150;
-// Limit of the residual common to neighbouring skin, px: above it the pictures are of two moments. A lower
-// limit rejects more right pairs. Evidence: resources/doc/evidence.md.
-constexpr double kTwoMoments_px = 0.60, kFarthest_px = 3.0;
+// Limit of the residual common to neighbouring skin, in standard errors of a match: above it the pictures are
+// of two moments. A lower limit rejects more right pairs. Evidence: resources/doc/evidence.md.
+constexpr double kTwoMoments = 2.0, kFarthest = 10.0;
+
+double sigmaOf_px(const Correspondence& match) { return std::max(kMatchSigma_px, match.sigma_px); }
+
+/// Median standard error of the matches, px.
+double typicalSigma_px(const std::vector<Correspondence>& matches) {
+  std::vector<double> sigmas_px;
+  for (const auto& match : matches) sigmas_px.push_back(sigmaOf_px(match));
+  return upperMedian(std::move(sigmas_px));
+}
 
 std::vector<RayPair> raysOf(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches,
                             bool is_swapped) {
@@ -33,21 +43,21 @@ std::vector<RayPair> raysOf(const cameras::StereoRig& rig, const std::vector<Cor
   for (const auto& match : matches)
     rays.push_back({cameras::undistort(rig.left, is_swapped ? match.right_px : match.left_px),
                     cameras::undistort(rig.right, is_swapped ? match.left_px : match.right_px),
-                    kMatchSigma_px / f_px});
+                    sigmaOf_px(match) / f_px});
   return rays;
 }
 
+/// Median distance from the epipolar lines in standard errors, and share of the matches within kAgrees.
 struct Fit {
-  double median_px = 0,
-         share = 0;  // median distance from the epipolar lines; share of matches within kAgrees_px
+  double median = 0, share = 0;
 };
 
 Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
-  std::vector<double> off_px;
-  for (const auto& pair : rays) off_px.push_back(kMatchSigma_px * epipolarDistance(pose, pair));
-  std::sort(off_px.begin(), off_px.end());
-  const auto within = std::lower_bound(off_px.begin(), off_px.end(), kAgrees_px) - off_px.begin();
-  return {off_px[off_px.size() / 2], double(within) / double(off_px.size())};
+  std::vector<double> off;
+  for (const auto& pair : rays) off.push_back(epipolarDistance(pose, pair));
+  std::sort(off.begin(), off.end());
+  const auto within = std::lower_bound(off.begin(), off.end(), kAgrees) - off.begin();
+  return {off[off.size() / 2], double(within) / double(off.size())};
 }
 
 /// The matches in that part of the left picture; all, if it is empty.
@@ -60,7 +70,14 @@ std::vector<Correspondence> within(const std::optional<cv::Rect>& part,
   return kept;
 }
 
-bool isExplained(const Fit& fit) { return fit.share > kExplainedShare && fit.median_px < kExplained_px; }
+/// True if the errors of calibration and matching explain the matches as well as a moved camera does.
+bool isWithinCalibration(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
+  RigMonitor monitor(rig);
+  monitor.add(matches);
+  return monitor.estimate().state == RigState::holds;
+}
+
+bool isExplained(const Fit& fit) { return fit.share > kExplainedShare && fit.median < kExplained; }
 
 }  // namespace
 
@@ -72,14 +89,14 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
   const Eigen::Isometry3d calibrated = rig.right_T_left.isometry();
   const auto rays = raysOf(rig, matches, false);
   const Fit as_is = fitOf(calibrated, rays);
-  diagnosis.residual_px = as_is.median_px;
+  diagnosis.residual_px = as_is.median * typicalSigma_px(matches);
   diagnosis.agreement = diagnosis.calibrated_agreement = as_is.share;
-  if (as_is.median_px < kHolds_px && as_is.share > kExplainedShare) {
+  if (as_is.median < kHolds && as_is.share > kExplainedShare) {
     diagnosis.state = RigState::holds;
     return diagnosis;
   }
   const Fit swapped = fitOf(calibrated, raysOf(rig, matches, true));
-  if (swapped.median_px < kSwappedHolds_px && swapped.share > as_is.share) {
+  if (swapped.median < kSwappedHolds && swapped.share > as_is.share) {
     diagnosis.state = RigState::swapped;
     diagnosis.agreement = swapped.share;
     return diagnosis;
@@ -104,9 +121,9 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
   const RelativePose best = refinePose(diagnosis.right_T_left.isometry(), rays, &kAnyRig);
   std::vector<Eigen::Vector2d> left_px;
   for (const auto& match : skin) left_px.push_back(match.left_px);
-  diagnosis.skin_px =
-      kMatchSigma_px * sharedResidual(best.right_T_left, rays, left_px, kFarthest_px / kMatchSigma_px);
-  if (diagnosis.skin_px > kTwoMoments_px) diagnosis.state = RigState::out_of_step;
+  const double sigma_px = typicalSigma_px(skin);
+  diagnosis.skin_px = sigma_px * sharedResidual(best.right_T_left, rays, left_px, kFarthest);
+  if (diagnosis.skin_px > kTwoMoments * sigma_px) diagnosis.state = RigState::out_of_step;
   return diagnosis;
 }
 
@@ -118,9 +135,13 @@ PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoF
   // Smooth skin has few corners. Its windows decide then.
   if (part && matches.size() < kFewestMatches)
     matches = within(part, growMatches(frame.left, frame.right, all));
-  // A face on which nothing matches may be of two moments: then the rest of the pictures decides.
-  if (matches.size() < kFewestMatches) matches = all;
-  const auto diagnosis = diagnoseMatches(rig, matches);
+  const bool is_elsewhere = matches.size() < kFewestMatches;
+  if (is_elsewhere) matches = all;
+  auto diagnosis = diagnoseMatches(rig, matches);
+  // Stripes and wallpaper match in wrong places too, and then no pose explains them.
+  if (part && is_elsewhere && diagnosis.state == RigState::out_of_step) diagnosis.state = RigState::unclear;
+  if (diagnosis.state == RigState::moved && isWithinCalibration(rig, matches))
+    diagnosis.state = RigState::holds;
   if (!diagnosis.isOfCameras()) return diagnosis;
   return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
 }

@@ -47,7 +47,8 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
 /// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
 /// fit. `part` of the left picture, px: only its matches count; empty: the whole picture. Give the face where
 /// it is known: clothes and walls at the edge lie where no board was shown, and the lens model is a guess
-/// there. If too little of that part matches, the whole picture counts.
+/// there. If too little of that part matches, the whole picture counts, but it does not tell two moments
+/// then. `moved` is said only where the calibration's own errors do not explain the matches (RigMonitor).
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const std::optional<cv::Rect>& part = {});
 
