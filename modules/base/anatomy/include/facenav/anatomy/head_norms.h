@@ -28,6 +28,8 @@ inline constexpr Norm kGirthRadius("radius of the head's girth", "mm", 50, 125, 
 inline constexpr double kHeadHeight_mm = 200;
 /// Distance from the middle between eyes and mouth to chin, temples and forehead, all around. Judgement.
 inline constexpr double kFaceReach_mm = 135;
+/// Distance from the face's centre to the cortex behind it, where errors and motion count. Judgement.
+inline constexpr double kFaceToCortex_mm = 90;
 /// Depth of a head behind its face: the longest head (face_norms.h, 214) and a nose. Judgement.
 inline constexpr double kHeadDepth_mm = 220;
 

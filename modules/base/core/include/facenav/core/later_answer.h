@@ -24,6 +24,10 @@ inline namespace core {
 /// process.
 void runInBackground();
 
+/// Time that a live answer takes on one core of a small machine. The microsecond compensates for rounded
+/// frame times, which delay every second answer about a recording by a frame.
+inline constexpr double kAnswer_s = 0.1 - 1e-6;
+
 template <class Question, class Answer>
 class LaterAnswer {
  public:
@@ -32,7 +36,8 @@ class LaterAnswer {
 
   /// `answer_s`: when the work runs inside ask(), the time from the question to its answer, by the caller's
   /// clock.
-  LaterAnswer(Work work, Mode mode, double answer_s) : work_(std::move(work)), answer_s_(answer_s) {
+  LaterAnswer(Work work, Mode mode, double answer_s = kAnswer_s)
+      : work_(std::move(work)), answer_s_(answer_s) {
     FACENAV_EXPECT(bool(work_), "something must work");
     if (mode == Mode::own_thread) worker_ = std::make_unique<Worker>(work_);
   }

@@ -16,6 +16,16 @@ inline namespace core {
 
 /// Sigma of a normal distribution per median absolute deviation.
 constexpr double kSigmaPerMad = 1.4826;
+/// Median length of a 2-D normal error, in its standard deviation.
+constexpr double kMedianLength = 1.177;
+/// Standard error of a median divided by that of a mean, for normal errors.
+constexpr double kMedianNoise = 1.2533;
+/// Reach of Tukey's biweight in sigmas: 95 % efficiency for normal errors (Huber 1981).
+constexpr double kTukeyReach = 4.685;
+/// Degrees of freedom of Student's t for residuals with outliers (Lange, Little, Taylor 1989).
+constexpr double kStudentFreedom = 4.0;
+/// Standard errors from which on a difference counts as one. Chance alone exceeds it once in 370 times.
+constexpr double kSignificant = 3.0;
 
 /// The value at `rank` (from 0) in sorted order; reorders `values`. A rank beyond the end means the last one.
 /// 0 for an empty list.
