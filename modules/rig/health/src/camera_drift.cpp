@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/anatomy/head_norms.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/health/rig_monitor.h"
+#include "relative_pose.h"
 #include "rig_words.h"
 
 namespace facenav::health {
@@ -15,19 +19,14 @@ constexpr double kPriorTurn_rad = 0.2 * kRadPerDeg, kPriorShift_mm = 1.0;
 // Random walk of a slipping mount in one second. kFollowing: factor for a camera that is known to move; a
 // smaller one lets the correction lag behind.
 constexpr double kWalkTurn_rad = 0.02 * kRadPerDeg, kWalkShift_mm = 0.2, kFollowing = 5.0;
-constexpr double kLongestGap_s = 20.0, kLongestUnseen_s = 2.0;
+constexpr double kLongestUnseen_s = 2.0;
 // Errors of the face (light, expression) last for some frames: a frame counts as half a measurement, and the
 // estimate is never more certain than one frame.
 constexpr double kLasting = 2.0;
 // Squared sigmas between a frame and the estimate: a wrong fit, or a camera that was knocked. No pose is
-// shown. kKnocked of them in a row are a knock.
+// shown. kFramesInARow of them are a knock.
 constexpr double kContradiction = 36.0;
-constexpr int kKnocked = 5;
 constexpr double kSmoothed_s = 0.03;  // time constant of the correction
-// Chi-square with 6 degrees of freedom, at the probability of three standard errors: 20.1.
-constexpr double kMoved = 20.1;
-constexpr double kSureEffect = 3.0;       // standard errors of the motion's effect on the pose at the cortex
-constexpr double kCortexDepth_mm = 80.0;  // distance from the face's centre, away from the cameras
 constexpr double kSure_mm = 0.8;  // tolerated error of the pose at the cortex; three of them make it wrong
 constexpr double kMostUnsure_rad = 0.05 * kRadPerDeg;
 constexpr double kMostTurn_rad = 0.6 * kRadPerDeg, kMostShift_mm = 4.0;  // beyond this, a mount is broken
@@ -42,7 +41,7 @@ Matrix6d squares(double turn_rad, double shift_mm) {
 
 void CameraDrift::predict(double since_s) {
   const double faster = has_moved_ ? kFollowing : 1.0;
-  covariance_ += std::min(since_s, kLongestGap_s) * squares(faster * kWalkTurn_rad, faster * kWalkShift_mm);
+  covariance_ += since_s * squares(faster * kWalkTurn_rad, faster * kWalkShift_mm);
   const Matrix6d most = squares(kPriorTurn_rad, kPriorShift_mm);
   for (int i = 0; i < 6; ++i) {  // no axis gets less certain than before the first frame
     if (covariance_(i, i) <= most(i, i)) continue;
@@ -58,7 +57,7 @@ void CameraDrift::update(const Vector6d& seen, const Matrix6d& frame, const Matr
     return !(innovation.dot(inverseOf(expected) * innovation) < kContradiction);
   };
   contradicted_ = isContradicted() ? contradicted_ + 1 : 0;
-  if (contradicted_ >= kKnocked) covariance_ = squares(kMostTurn_rad, kMostShift_mm);
+  if (contradicted_ >= kFramesInARow) covariance_ = squares(kMostTurn_rad, kMostShift_mm);
   if (contradicted_ > 0 && isContradicted()) return;
   contradicted_ = 0;
   const Matrix6d error = kLasting * frame, gain = covariance_ * inverseOf(Matrix6d(covariance_ + error));
@@ -91,11 +90,11 @@ void CameraDrift::judge(const RightPoseObservation& seen, const Point<Camera>& f
   const Vector6d left_over = moved_ - corrected_;
   statistic_ = left_over.dot(inverseOf(certainty_) * left_over);
   Eigen::Matrix<double, 3, 6> carry;
-  carry << -skew(kCortexDepth_mm * face_centre.mm.normalized()), Eigen::Matrix3d::Identity();
+  carry << -skew(anatomy::kFaceToCortex_mm * face_centre.mm.normalized()), Eigen::Matrix3d::Identity();
   carry = (carry * seen.pose_by_moved).eval();
   effect_mm_ = (carry * left_over).norm();
   effect_sigma_mm_ = std::sqrt((carry * certainty_ * carry.transpose()).trace());
-  if (statistic_ > kMoved || effect_mm_ > kSureEffect * effect_sigma_mm_) has_moved_ = true;
+  if (statistic_ > kMovedStatistic || effect_mm_ > kSignificant * effect_sigma_mm_) has_moved_ = true;
   // Corrects at once when the motion is first noticed, later smoothed.
   if (has_moved_ && !fault())
     corrected_ += (is_followed_ ? 1.0 - std::exp(-since_s / kSmoothed_s) : 1.0) * (moved_ - corrected_);

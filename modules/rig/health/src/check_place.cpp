@@ -25,9 +25,8 @@ CheckPlace placeOf(const SquareObservation& marker, const cameras::StereoRig& ri
 }
 
 CheckMotion motionBetween(const CheckPlace& a, const CheckPlace& b) {
-  constexpr double kFarthest_mm = 1e5;  // corners that cannot be triangulated
   const double moved_mm = (b.middle_mm - a.middle_mm).norm();
-  if (!(moved_mm < kFarthest_mm)) return {};
+  if (!std::isfinite(moved_mm)) return {};  // corners that cannot be triangulated
   return {moved_mm, std::acos(std::clamp(a.normal.dot(b.normal), -1.0, 1.0)) * kDegPerRad};
 }
 

@@ -14,11 +14,11 @@ namespace {
 constexpr int kHalf_px = 14, kReach_px = 5;  // of a window (5 mm of skin at 2.7 px/mm), and of its search
 constexpr int kStep_px = 10, kMargin_px = kHalf_px + kReach_px + 2;
 constexpr double kNearSeed_px = 23;  // a window is tried when two matches are this near
-constexpr int kFewestNear = 2, kMostTries = 3, kMostRounds = 40;
+constexpr int kFewestNear = 2, kMostTries = 3;
 // Grown matches lie closer together than corners and are less exact: more neighbours, within a smaller
 // radius.
 constexpr NeighbourhoodOptions kSeedsAround{12, 4, 60, 10, 30};
-constexpr double kLeastTexture_grey = 2.0, kLeastCorrelation = 0.9, kMostSigma_px = 0.5;
+constexpr double kLeastCorrelation = 0.9, kMostSigma_px = 0.5;
 // Neighbouring pixels of a window have common errors: blur of the lens, blocks of the compression.
 constexpr double kSharedError = 2.0;
 
@@ -109,10 +109,6 @@ class Growth {
     int& tries = tries_(v, u);
     if (tries >= kMostTries || near_(v, u) < kFewestNear || !inner.contains(at)) return std::nullopt;
     ++tries;
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(left_(cv::Rect(at.x - kHalf_px, at.y - kHalf_px, 2 * kHalf_px + 1, 2 * kHalf_px + 1)),
-                   mean, deviation);
-    if (deviation[0] < kLeastTexture_grey) return std::nullopt;
     const auto here = neighbourhood(known_, {at.x, at.y}, kSeedsAround);
     const auto match = here ? matchWindow(left_, right_, at, *here) : std::nullopt;
     if (match) tries = kMostTries;
@@ -141,7 +137,7 @@ class Growth {
 std::vector<Correspondence> growMatches(const cv::Mat& left, const cv::Mat& right,
                                         const std::vector<Correspondence>& seeds) {
   Growth growth(left, right, seeds);
-  for (int round = 0; round < kMostRounds && growth.grow(); ++round) {
+  while (growth.grow()) {
   }
   return growth.found;
 }

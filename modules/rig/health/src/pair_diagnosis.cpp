@@ -13,13 +13,9 @@ namespace facenav::health {
 namespace {
 
 constexpr std::size_t kFewestMatches = 25;
-// Least standard error of one match on skin: slant of skin and compression. A noisy picture's is larger.
-constexpr double kMatchSigma_px = 0.3;
-// Limits in standard errors of a match: of the median, and of one match that agrees.
-constexpr double kHolds = 1.7, kSwappedHolds = 3.3, kExplained = 1.3, kAgrees = 3.3;
-constexpr double kExplainedShare = 0.7;
+// Limits in standard errors of a match: of one match that agrees, and of the median.
+constexpr double kAgrees = 3.3, kHolds = 1.7, kHoldsShare = 0.7;
 constexpr double kExplainedCost = 3.8;  // cost per match: 1.9 for pure Student's t, twice that on skin
-constexpr PosePrior kKnock{0.02, 3.0};  // as in RigMonitor
 constexpr PosePrior kAnyRig{0.25, 60.0};
 constexpr double kKnockDoubt = 25.0;  // decrease of cost: above this it is not a knock
 constexpr std::size_t kFewestOnSkin = 150;
@@ -77,7 +73,7 @@ bool isWithinCalibration(const cameras::StereoRig& rig, const std::vector<Corres
   return monitor.estimate().state == RigState::holds;
 }
 
-bool isExplained(const Fit& fit) { return fit.share > kExplainedShare && fit.median < kExplained; }
+bool isExplained(const Fit& fit) { return fit.share > kHoldsShare && fit.median < kHolds; }
 
 }  // namespace
 
@@ -91,12 +87,12 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
   const Fit as_is = fitOf(calibrated, rays);
   diagnosis.residual_px = as_is.median * typicalSigma_px(matches);
   diagnosis.agreement = diagnosis.calibrated_agreement = as_is.share;
-  if (as_is.median < kHolds && as_is.share > kExplainedShare) {
+  if (isExplained(as_is)) {
     diagnosis.state = RigState::holds;
     return diagnosis;
   }
   const Fit swapped = fitOf(calibrated, raysOf(rig, matches, true));
-  if (swapped.median < kSwappedHolds && swapped.share > as_is.share) {
+  if (swapped.median < kAgrees && swapped.share > as_is.share) {
     diagnosis.state = RigState::swapped;
     diagnosis.agreement = swapped.share;
     return diagnosis;

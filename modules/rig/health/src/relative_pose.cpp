@@ -5,15 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
 namespace facenav::health {
 namespace {
 
-constexpr double kFreedom = 4.0;  // degrees of freedom of Student's t, as in RigMonitor
 constexpr double kBehind = 30.0;  // sigmas counted for a point behind the cameras
-constexpr int kRounds = 40;
 
 using Vector6 = Vector6d;
 
@@ -70,7 +69,7 @@ double costOf(const Eigen::Isometry3d& right_T_left, const std::vector<RayPair>&
   for (const RayPair& pair : rays) {
     const double z =
         isInFront(right_T_left, pair) ? std::min(kBehind, std::abs(sampson(right_T_left, pair))) : kBehind;
-    cost += (kFreedom + 1) * std::log1p(z * z / kFreedom);
+    cost += (kStudentFreedom + 1) * std::log1p(z * z / kStudentFreedom);
   }
   return cost;
 }
@@ -80,7 +79,7 @@ RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPai
   const double baseline_mm = start.translation().norm();
   RelativePose best{start, costOf(start, rays, prior, start)};
   double damping = 1e-3;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMostReweightings; ++round) {
     Matrix6d normal = Matrix6d::Zero();
     Vector6 rhs = Vector6::Zero();
     std::array<Eigen::Isometry3d, 6> nudged;
@@ -88,7 +87,7 @@ RelativePose refinePose(const Eigen::Isometry3d& start, const std::vector<RayPai
     for (int k = 0; k < 6; ++k) nudged[k] = moved(best.right_T_left, unit(k) * Vector6::Unit(k));
     for (const RayPair& pair : rays) {
       const double z = sampson(best.right_T_left, pair);
-      const double weight = (kFreedom + 1) / (kFreedom + z * z);
+      const double weight = (kStudentFreedom + 1) / (kStudentFreedom + z * z);
       Vector6 gradient;
       for (int k = 0; k < 6; ++k) gradient[k] = (sampson(nudged[k], pair) - z) / unit(k);
       normal += weight * gradient * gradient.transpose();

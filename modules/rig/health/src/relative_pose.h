@@ -18,6 +18,11 @@ struct PosePrior {
   double turn_sigma_rad = 0, shift_sigma_mm = 0;
 };
 
+/// Size of the motion when a camera is knocked.
+constexpr PosePrior kKnock{0.02, 3.0};
+/// Limit for a reweighting that does not settle.
+constexpr int kMostReweightings = 40;
+
 struct RelativePose {
   Eigen::Isometry3d right_T_left;  // its baseline has the given length
   double cost = 0;                 // -2 log likelihood under Student's t and the prior, up to a constant

@@ -11,8 +11,6 @@ namespace {
 // a camera moved: require twice the monitor's own threshold.
 constexpr double kClearStatistic = 40;
 constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames between judgements
-/// Coil frames in a row that change the verdict: a single frame may show a hand over the marker's edge.
-constexpr std::size_t kCoilFrames = 5;
 
 }  // namespace
 
@@ -39,8 +37,8 @@ void RigHealth::add(const RigObservation& seen) {
   if (seen.square) monitor_.add(*seen.square);
   if (seen.square_fits == true) ++agreed_, contradicted_ = 0;
   if (seen.square_fits == false) ++contradicted_, agreed_ = 0;
-  if (contradicted_ >= kCoilFrames) coil_contradicts_ = true;
-  if (agreed_ >= kCoilFrames) coil_contradicts_ = false;
+  if (contradicted_ >= kFramesInARow) coil_contradicts_ = true;
+  if (agreed_ >= kFramesInARow) coil_contradicts_ = false;
   if (!seen.matches.empty()) monitor_.add(seen.matches);
   seen.sees_face ? drift_.add(seen) : drift_.addWithoutFace(seen.captured);
   followDrift();

@@ -9,8 +9,7 @@ namespace facenav::health {
 namespace {
 
 constexpr std::size_t kFewestCorners = 8;
-constexpr double kCorner_px = 0.1;     // standard error of a corner in one picture
-constexpr double kBoardPrint = 0.001;  // relative standard error of a board's printed size, measured by ruler
+constexpr double kCorner_px = 0.1;  // standard error of a corner in one picture
 constexpr double kLongShare = 0.6;  // share of the longest distance: shorter ones measure the corners' noise
 
 Eigen::Vector2d eigenOf(const cv::Point2f& p) { return {p.x, p.y}; }

@@ -8,6 +8,7 @@
 #include "facenav/cameras/rig_motion.h"
 #include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/normal_equations.h"
+#include "relative_pose.h"
 
 namespace facenav::health {
 namespace {
@@ -16,9 +17,6 @@ constexpr double kColumns = 6, kRows = 4, kDepthBand_mm = 100;
 constexpr std::size_t kMemory = 60;  // samples of a cell; the oldest are overwritten
 constexpr double kFewest = 12;       // samples before a verdict is given
 constexpr double kGross_px = 20;     // a wrong match, not a moved camera
-// Least likelihood ratio (-2 log) of a moved rig. A higher value gives fewer false alarms and misses more
-// motion. Evidence: resources/doc/evidence.md.
-constexpr double kMovedStatistic = 20;
 constexpr double kHarmful_mm = 0.5;  // smaller errors are no reason to stop
 constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
 constexpr double kTellsScatter = 4;  // fewest matches of a cell that determine their scatter
@@ -28,7 +26,6 @@ constexpr double kSharedShare = 0.3;
 // A moved camera moves all points; a repeating pattern (knitwear) moves only those in one place. Least
 // decrease of the points' mean squared residual by the motion, in sigmas, each at most four.
 constexpr double kComesNearer = 0.3;
-constexpr double kTurnSigma_rad = 0.02, kShiftSigma_mm = 3.0;  // size of motion when a camera is knocked
 
 /// Relative error of the square's size measured with this rig.
 double sizeError(const cameras::StereoRig& rig, const SquareObservation& square) {
@@ -128,22 +125,21 @@ struct Explained {
 /// Maximum posterior under Student's t residuals, by reweighting (Lange, Little, Taylor 1989): a cell on a
 /// glint or a silhouette is wrong by pixels and must not look like a moved camera.
 Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
-  constexpr double kFreedom = 4.0;
-  constexpr int kRounds = 30;
   Explained best;
   best.unknowns = Eigen::VectorXd::Zero(design.cols());
   best.weight = Eigen::VectorXd::Ones(model.seen.size());
   const Eigen::MatrixXd whitened = model.sigma.cwiseInverse().asDiagonal() * design;
   const Eigen::VectorXd seen = model.seen.cwiseQuotient(model.sigma);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMostReweightings; ++round) {
     Eigen::MatrixXd normal = whitened.transpose() * best.weight.asDiagonal() * whitened;
     normal.diagonal().array() += 1.0;
     best.precision = normal;
     best.unknowns =
         solveSymmetric(normal, Eigen::VectorXd(whitened.transpose() * best.weight.asDiagonal() * seen));
     const Eigen::ArrayXd z2 = (seen - whitened * best.unknowns).array().square();
-    best.weight = ((kFreedom + 1) / (kFreedom + z2)).matrix();
-    const double cost = best.unknowns.squaredNorm() + (kFreedom + 1) * (1 + z2 / kFreedom).log().sum();
+    best.weight = ((kStudentFreedom + 1) / (kStudentFreedom + z2)).matrix();
+    const double cost =
+        best.unknowns.squaredNorm() + (kStudentFreedom + 1) * (1 + z2 / kStudentFreedom).log().sum();
     const bool has_settled = round > 0 && best.cost - cost < 1e-3;
     best.cost = cost;
     if (has_settled) break;
@@ -154,7 +150,7 @@ Explained explain(const Explanation& model, const Eigen::MatrixXd& design) {
 double sizeCost(const Explanation& model, const Eigen::VectorXd& explained, int points) {
   const Eigen::Index sizes = model.seen.size() - points;
   const Eigen::ArrayXd z2 = (model.seen - explained).cwiseQuotient(model.sigma).tail(sizes).array().square();
-  return 5.0 * (1 + z2 / 4.0).log().sum();  // Student's t, as in explain()
+  return (kStudentFreedom + 1) * (1 + z2 / kStudentFreedom).log().sum();  // Student's t, as in explain()
 }
 
 /// The part of the motion that the measurements determine. Without squares they hardly determine yaw, and a
@@ -244,7 +240,7 @@ void RigMonitor::Evaluation::addCauses(Explanation& model) const {
   for (int k = 0; k < 6; ++k) {
     Vector6d step = Vector6d::Zero();
     step[k] = k < 3 ? 1e-4 : 0.05;
-    const double prior = k < 3 ? kTurnSigma_rad : kShiftSigma_mm;
+    const double prior = k < 3 ? kKnock.turn_sigma_rad : kKnock.shift_sigma_mm;
     model.by_motion.col(k) = -(predict(cameras::turned(rig_, step)) - nominal) * (prior / step[k]);
   }
 }
@@ -291,8 +287,8 @@ RigEstimate RigMonitor::Evaluation::estimate() const {
   either << model.by_calibration, model.by_motion;
   const Explained holds = explain(model, model.by_calibration), moved = explain(model, either);
   Vector6d motion = toldMotion(moved);
-  motion.head<3>() *= kTurnSigma_rad;
-  motion.tail<3>() *= kShiftSigma_mm;
+  motion.head<3>() *= kKnock.turn_sigma_rad;
+  motion.tail<3>() *= kKnock.shift_sigma_mm;
 
   RigEstimate verdict;
   if (!motion.allFinite() || !std::isfinite(holds.cost)) return verdict;

@@ -6,13 +6,13 @@
 
 #include "check_place.h"
 #include "facenav/core/number_text.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/health/pair_diagnosis.h"
 
 namespace facenav::health {
 namespace {
 
-constexpr double kContradictionSigmas = 3.0;
 constexpr double kAbsurd = 0.1;  // share of a true length that no camera's motion makes of it
 
 }  // namespace
@@ -96,9 +96,7 @@ std::string inWords(const CorrectedMotion& motion) {
          " deg): corrected by the face, fix the cameras and calibrate again when the patient has left";
 }
 
-bool MeasuredLength::contradicts() const {
-  return std::abs(measured_mm - true_mm) > kContradictionSigmas * sigma_mm;
-}
+bool MeasuredLength::contradicts() const { return std::abs(measured_mm - true_mm) > kSignificant * sigma_mm; }
 
 std::string MeasuredLength::words() const {
   const double ratio = measured_mm / true_mm;

@@ -6,6 +6,7 @@
 
 #include "check_place.h"
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/health/rig_lengths.h"
 
@@ -15,9 +16,8 @@ namespace {
 // Rms of a camera's own picture of a board, in units of the calibration's rms: above this it is of another
 // lens.
 constexpr double kOtherLensTimesRms = 3.0;
-constexpr double kGrossRows_px = 5.0;  // the monitor of small motions does not explain these
-constexpr double kBoardPrintShare = 0.001,
-                 kLeastPictureShare = 0.0003;  // relative standard errors of a length
+constexpr double kGrossRows_px = 5.0;          // the monitor of small motions does not explain these
+constexpr double kLeastPictureShare = 0.0003;  // relative standard error of a length by the pictures
 constexpr double kGrossLength = 0.1;           // relative: exchanged sides, not a knock
 // Relative change of scale that shows another focal length; a baseline 3 mm longer changes it by 0.5 %.
 constexpr double kOtherScale = 0.01;
@@ -26,15 +26,7 @@ constexpr double kOtherDistance =
 // Spread of the lengths' ratios, as a share of how far they are off. Computed for the rig of the tests, whose
 // right camera turns by 0.1 to 1 deg, and a tilted board at 560 to 660 mm: 7 %; for a wrong size: 0.
 constexpr double kEvenShare = 0.02, kUnevenShare = 0.04;
-constexpr double kPictureNoises = 3.0;  // in standard errors by the pictures
 constexpr double kSwappedBetter = 0.2;  // residuals decrease to this share when the sides are exchanged
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double meanOf(const std::vector<double>& values) {
   double sum = 0;
@@ -58,8 +50,8 @@ LengthsShow whatLengthsShow(const std::vector<double>& ratios, const std::vector
   if (ratios.size() < 2 || *farthest < (1 + kOtherDistance) * *nearest) return LengthsShow::either;
   const double spread = spreadOf(ratios), off = std::abs(meanOf(ratios) - 1);
   if (spread < kEvenShare * off) return LengthsShow::size;
-  return spread > kUnevenShare * off && spread > kPictureNoises * kLeastPictureShare ? LengthsShow::turn
-                                                                                     : LengthsShow::either;
+  return spread > kUnevenShare * off && spread > kSignificant * kLeastPictureShare ? LengthsShow::turn
+                                                                                   : LengthsShow::either;
 }
 
 double medianRow(const cameras::StereoRig& rig, const std::vector<Correspondence>& points, bool is_swapped) {
@@ -70,7 +62,7 @@ double medianRow(const cameras::StereoRig& rig, const std::vector<Correspondence
     if (std::isfinite(row_px)) rows_px.push_back(std::abs(row_px));
   }
   // Points behind the cameras have no row. Rays that do not meet are the largest contradiction.
-  return rows_px.size() * 2 < points.size() ? 1e3 : medianOf(std::move(rows_px));
+  return rows_px.size() * 2 < points.size() ? 1e3 : upperMedian(std::move(rows_px));
 }
 
 }  // namespace
@@ -167,9 +159,8 @@ std::vector<MeasuredLength> RigVerifier::Implementation::lengths() const {
   std::vector<MeasuredLength> all;
   if (!board_ratios.empty()) {
     const double true_mm = (std::max(board->columns, board->rows) - 1) * board->square_mm;
-    all.push_back(
-        {"board", true_mm, true_mm * meanOf(board_ratios),
-         true_mm * std::hypot(calibration_sigma, std::hypot(kBoardPrintShare, kLeastPictureShare))});
+    all.push_back({"board", true_mm, true_mm * meanOf(board_ratios),
+                   true_mm * std::hypot(calibration_sigma, std::hypot(kBoardPrint, kLeastPictureShare))});
   }
   if (!marker_ratios.empty())
     all.push_back({"marker", marker_mm, marker_mm * meanOf(marker_ratios),
@@ -198,7 +189,7 @@ void RigVerifier::Implementation::addRatio(double ratio, double exchanged_ratio)
 bool RigVerifier::Implementation::isSwapped(const RigVerification& all) const {
   const bool rows_say =
       all.row_error_px > kGrossRows_px && medianRow(rig, points, true) < kSwappedBetter * all.row_error_px;
-  const double error = medianOf(ratio_errors), exchanged_error = medianOf(exchanged_errors);
+  const double error = upperMedian(ratio_errors), exchanged_error = upperMedian(exchanged_errors);
   return rows_say || (error > kGrossLength && exchanged_error < kSwappedBetter * error);
 }
 
@@ -244,15 +235,15 @@ RigVerification RigVerifier::result() const {
   all.row_error_px = self.points.empty() ? 0.0 : medianRow(self.rig, self.points, false);
   all.left_lens_px = std::sqrt(meanOf(self.left_squares));
   all.right_lens_px = std::sqrt(meanOf(self.right_squares));
-  all.scale_change = medianOf(self.scales);
+  all.scale_change = upperMedian(self.scales);
   all.state = self.judge(all, verdict);
   if (all.state != RigState::moved) return all;
   all.square_doubt = self.squareDoubt(all);
   // Large motions come from the board's poses; small ones from the monitor, which uses only what the rows
   // determine.
   const bool is_gross = all.row_error_px > kGrossRows_px && !self.turns_deg.empty();
-  all.turn_deg = is_gross ? medianOf(self.turns_deg) : verdict.turn_rad.norm() * kDegPerRad;
-  all.shift_mm = is_gross ? medianOf(self.shifts_mm) : 0.0;
+  all.turn_deg = is_gross ? upperMedian(self.turns_deg) : verdict.turn_rad.norm() * kDegPerRad;
+  all.shift_mm = is_gross ? upperMedian(self.shifts_mm) : 0.0;
   all.point_error_mm = verdict.displaced_mm;
   return all;
 }

@@ -21,6 +21,9 @@
 
 namespace facenav::health {
 
+/// Least standard error of one match on skin: slant of skin and compression. A noisy picture's is larger.
+constexpr double kMatchSigma_px = 0.3;
+
 struct PairDiagnosis {
   RigState state = RigState::unclear;
   std::size_t matches = 0;

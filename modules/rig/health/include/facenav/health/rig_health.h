@@ -49,7 +49,7 @@ class RigHealth {
   bool has_fitted_ = false;                    // the reference pair's face fitted its calibration
   std::size_t frames_ = 0;
   /// Frames in a row in which a coil at rest contradicts, or fits, the size and the rows of its print.
-  std::size_t contradicted_ = 0, agreed_ = 0;
+  int contradicted_ = 0, agreed_ = 0;
   bool coil_contradicts_ = false;
 };
 

@@ -11,6 +11,9 @@
 
 namespace facenav::health {
 
+/// Relative standard error of a board's printed size, measured by ruler.
+constexpr double kBoardPrint = 0.001;
+
 /// Corners of a board that both pictures show, in the same order.
 struct BoardPair {
   std::vector<cv::Point2f> left_px, right_px;

@@ -23,6 +23,13 @@
 
 namespace facenav::health {
 
+/// Least likelihood ratio (-2 log) of a moved rig: chi-square with 6 degrees of freedom at the probability of
+/// three standard errors. A higher value gives fewer false alarms and misses more motion. Evidence:
+/// resources/doc/evidence.md.
+constexpr double kMovedStatistic = 20;
+/// Frames in a row that change a verdict: a single one may show a hand before the face or the marker.
+constexpr int kFramesInARow = 5;
+
 /// Estimate from the gathered points and squares.
 struct RigEstimate {
   RigState state = RigState::unclear;  // unclear, holds or moved
