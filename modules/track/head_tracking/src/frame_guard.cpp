@@ -7,11 +7,10 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kDarkest_grey = 6.0;   // mean; darker: covered or switched off
-constexpr double kFlattest_grey = 2.5;  // standard deviation; lower: no picture
+constexpr double kFlattest_grey = 2.5;  // standard deviation; lower: covered, switched off, or no picture
 constexpr double kNoisyShare = 0.35;    // share of changed pixels from which on noise is visible
 constexpr double kMoving_mm_s = 5.0;    // a faster head does not stop within one frame
-constexpr std::size_t kHistory = 31, kLeastHistory = 2;
+constexpr std::size_t kHistory = 31;
 constexpr int kRowStep = 3;
 
 constexpr int kBlock_px = 8, kBlockStep_px = 24;  // squares whose means distinguish a picture from noise
@@ -29,7 +28,7 @@ bool isBlank(const cv::Mat& image) {
     }
   if (blocks == 0) return true;
   const double mean = sum / blocks;
-  return mean < kDarkest_grey || squares / blocks - mean * mean < kFlattest_grey * kFlattest_grey;
+  return squares / blocks - mean * mean < kFlattest_grey * kFlattest_grey;
 }
 
 // Every kRowStep-th row, without a copy.
@@ -57,10 +56,7 @@ FrameGuard::Change FrameGuard::change(const cv::Mat& now, const cv::Mat& before,
           seen.empty() ? 0.0 : double(cv::countNonZero(differs(seen))) / seen.area()};
 }
 
-bool FrameGuard::streamIsNoisy() const {
-  if (changed_.size() < kLeastHistory) return false;
-  return upperMedian(changed_) > kNoisyShare;
-}
+bool FrameGuard::streamIsNoisy() const { return upperMedian(changed_) > kNoisyShare; }
 
 std::optional<LostReason> FrameGuard::judge(const Change& left, const Change& right, double moved_mm) {
   const bool left_repeats = left.all == 0, right_repeats = right.all == 0;

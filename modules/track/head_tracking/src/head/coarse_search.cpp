@@ -12,15 +12,12 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr int kLevel = kLevels - 1;
-constexpr double kShrink = 1 << kLevel;
 constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}, kLeans_deg[] = {0, 17, -17};
 constexpr double kScales[] = {1.0, 0.82, 1.22};    // scales of the face in the image, tried in turn
 constexpr double kNearest = 0.6, kFarthest = 1.7;  // distance of the face, relative to that in the view
 constexpr std::size_t kAtOnce = 20;                // views per frame
 constexpr std::size_t kMostPoints = 160;           // points of a view
-constexpr std::size_t kFewestPoints = 30;
-constexpr std::size_t kMostFitted = 2;  // places per frame
+constexpr std::size_t kMostFitted = 2;             // places per frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
 constexpr int kViewComparisons = 30,
               kTemplateComparisons = 180;  // work for one view, for one fit of the template
@@ -94,9 +91,8 @@ class CoarseSearch::SearchImage {
 
   /// The place, to two pixels and with the centre inside the image, where the points fit best.
   Eigen::Vector2d bestPlace(const Stencil& stencil) const {
-    constexpr int kLanes = search::kLanes;
     const int columns = size_.width / 2, rows = size_.height / 2;
-    cv::Mat1f sums(rows, (columns + kLanes - 1) / kLanes * kLanes);
+    cv::Mat1f sums(rows, (columns + search::kLanes - 1) / search::kLanes * search::kLanes);
     std::vector<const float*> from;
     from.reserve(stencil.at.size());
     for (const auto& at : stencil.at) {
@@ -152,7 +148,7 @@ CoarseSearch::View CoarseSearch::viewAt(const cameras::StereoRig& rig, const Eig
     for (std::size_t i = 0; i < grey.size(); ++i) {
       if (!is_seen[i] || grey[i].weight <= 0) continue;
       const Eigen::Vector2d px = cameras::project(camera, camera_T_head * face_.points()[i].mm);
-      view.points[c].push_back({((px - centre_px) / kShrink).cast<float>(), grey[i].value});
+      view.points[c].push_back({((px - centre_px) / double(kCoarsestStep)).cast<float>(), grey[i].value});
     }
     auto& points = view.points[c];
     const std::size_t every = points.size() / kMostPoints + 1;
@@ -180,23 +176,26 @@ std::size_t CoarseSearch::likeliest(const Eigen::Isometry3d& motion) const {
 std::optional<CoarseSearch::Candidate> CoarseSearch::locate(const cameras::StereoRig& rig,
                                                             const std::array<SearchImage, 2>& images,
                                                             const View& view, double scale) const {
-  if (view.points[0].size() < kFewestPoints || view.points[1].size() < kFewestPoints) return std::nullopt;
+  if (std::min(view.points[0].size(), view.points[1].size()) < FaceTemplate::kFewestPoints)
+    return std::nullopt;
   const auto in_left = images[0].stencil(view.points[0], scale),
              in_right = images[1].stencil(view.points[1], scale);
   const Eigen::Vector2d left_px = images[0].bestPlace(in_left);
   const auto left = images[0].matchAt(in_left, left_px);
   if (left.likeness() < kLeastLikeness) return std::nullopt;
   const Eigen::Vector3d then_mm = view.motion * face_.centre_mm();
-  const Eigen::Vector3d ray = cameras::undistort(rig.left, kShrink * left_px).homogeneous().normalized();
+  const Eigen::Vector3d ray =
+      cameras::undistort(rig.left, double(kCoarsestStep) * left_px).homogeneous().normalized();
   Candidate best;
   // Steps of distance that move the face by about a pixel of this level in the right image.
   const double step =
-      kShrink * then_mm.norm() / (rig.right.k(0, 0) * rig.right_T_left.translation_mm().norm());
+      double(kCoarsestStep) * then_mm.norm() / (rig.right.k(0, 0) * rig.right_T_left.translation_mm().norm());
   for (double distance = kNearest; distance < kFarthest; distance *= 1.0 + step * distance) {
     const Eigen::Vector3d centre_mm = distance * then_mm.norm() * ray;
     const Eigen::Vector3d right_mm = rig.right_T_left.isometry() * centre_mm;
     if (right_mm.z() < 1) continue;
-    const auto both = left + images[1].matchAt(in_right, cameras::project(rig.right, right_mm) / kShrink);
+    const auto both =
+        left + images[1].matchAt(in_right, cameras::project(rig.right, right_mm) / double(kCoarsestStep));
     if (both.likeness() <= best.likeness) continue;
     best.likeness = both.likeness();
     best.motion.linear() = rotationBetween(then_mm, ray) * view.motion.linear();

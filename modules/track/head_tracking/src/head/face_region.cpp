@@ -1,5 +1,6 @@
 #include "face_region.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/geometry/rotation.h"
@@ -76,6 +77,12 @@ FaceRegion::FaceRegion(const std::vector<Eigen::Vector2f>& cloud_px, cv::Size si
   std::vector<cv::Point> inside;
   cv::findNonZero(rigidity_percent_, inside);
   box_ = inside.empty() ? cv::Rect() : cv::boundingRect(inside);
+}
+
+int FaceRegion::partAt(const Eigen::Vector2d& px) const {
+  const int column = std::clamp(int(kPartColumns * (px.x() - box_.x) / box_.width), 0, kPartColumns - 1);
+  const int row = std::clamp(int(kPartRows * (px.y() - box_.y) / box_.height), 0, kPartRows - 1);
+  return row * kPartColumns + column;
 }
 
 bool FaceRegion::contains(const Eigen::Vector2d& px) const { return rigidity(px) > 0; }

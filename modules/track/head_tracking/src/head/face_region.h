@@ -20,6 +20,9 @@ class FaceRegion {
   /// Prior weight of the skin at `px`, 0..1: how rigidly it follows the skull.
   double rigidity(const Eigen::Vector2d& px) const;
   cv::Rect box() const { return box_; }
+  /// Part of the face whose errors of light and shape are treated as one, 0 .. kPartColumns * kPartRows - 1.
+  int partAt(const Eigen::Vector2d& px) const;
+  static constexpr int kPartColumns = 5, kPartRows = 6;
 
  private:
   cv::Mat1b rigidity_percent_;  // per pixel; 0: not face

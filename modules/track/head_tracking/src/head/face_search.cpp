@@ -7,9 +7,8 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLeastLikeness = 0.15;  // of a coarse fit; lower: no face
-constexpr double kLikely = 0.8;          // from this likeness on the head is probably there
-constexpr double kSwappedLikeness = 0.4, kSurelySwapped = 0.1;  // likeness with the images exchanged
+constexpr double kLeastLikeness = 0.15;   // of a coarse fit; lower: no face
+constexpr double kSwappedLikeness = 0.4;  // likeness with the images exchanged
 // Other work of a frame, in patch comparisons that take the same time.
 constexpr int kPyramidComparisons = 450, kEvenedComparisons = 250;
 constexpr int kIdentityComparisons = 500;
@@ -86,7 +85,7 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
     ++turn_;
     found.is_swapped = last && found.best.likeness < kLikely &&
                        roughly(keys, {now[1], now[0]}, *last, work).likeness >
-                           std::max(kSwappedLikeness, found.best.likeness + kSurelySwapped);
+                           std::max(kSwappedLikeness, found.best.likeness);
   }
   found.is_to_be_tried = !found.is_swapped && found.best.likeness >= kLeastLikeness;
   if (found.is_to_be_tried && !work.leavesTimeToFit()) {

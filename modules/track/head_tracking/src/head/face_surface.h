@@ -12,6 +12,9 @@
 
 namespace facenav::head_tracking {
 
+/// Skin whose normal has a smaller cosine with the view is not used: its pixels cover too much of it.
+constexpr double kGrazing_cos = 0.25;
+
 /// A quadric in inverse depth near one pixel.
 struct LocalSurface {
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();

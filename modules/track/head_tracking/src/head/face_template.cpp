@@ -16,15 +16,11 @@ namespace {
 
 constexpr float kLeastContrast = 0.03f;  // relative to the mean grey; limits noise on flatter skin
 constexpr double kWanted = 350;          // number of points over the region's box
-constexpr int kLeastSpacing_px = 6;      // spacing of the points in the left reference image
 constexpr double kSurfaceRadius_px = 9.0;
-constexpr double kLeastFacing = 0.2;       // cosine of view against normal
 constexpr double kHiddenBehind_mm = 12.0;  // behind the nearest skin within one coarsest pixel
 constexpr int kSteps[2] = {5, 4};          // steps per level
-constexpr double kSettled_mm = 0.5;        // remaining motion, left to the following fit
 constexpr std::size_t kEvery[2] = {2, 1};  // every n-th point is used, per level
 constexpr float kReach = 1.5f;  // reach of a residual's robust weight, in local standard deviations
-constexpr double kFewest = 40;  // points in both images together
 
 // Bilinear value; nothing outside the image.
 std::optional<float> sampled(const cv::Mat1f& image, double x, double y) {
@@ -51,9 +47,9 @@ Eigen::Isometry3d seenFrom(const cameras::StereoRig& rig, int camera, const Eige
 }  // namespace
 
 cv::Mat1f evened(const BlurredImage& level) {
-  constexpr int kRim = search::kRim;
   cv::Mat1w wider;
-  cv::copyMakeBorder(level.pixels, wider, kRim, kRim, kRim, kRim, cv::BORDER_REFLECT_101);
+  cv::copyMakeBorder(level.pixels, wider, search::kRim, search::kRim, search::kRim, search::kRim,
+                     cv::BORDER_REFLECT_101);
   cv::Mat1f result(level.pixels.size());
   std::vector<std::int32_t> scratch(6 * std::size_t(result.cols + search::kWindow + search::kLanes));
   search::Evening task;
@@ -75,7 +71,7 @@ FaceTemplate::FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& regi
                            const FaceSurface& surface, const Eigen::Vector3d& centre_mm)
     : centre_mm_(centre_mm) {
   const cv::Rect box = region.box();
-  const int spacing_px = std::max(kLeastSpacing_px, int(std::sqrt(box.area() / kWanted)));
+  const int spacing_px = std::max(1, int(std::sqrt(box.area() / kWanted)));
   for (int y = box.y; y < box.br().y; y += spacing_px)
     for (int x = box.x; x < box.br().x; x += spacing_px) {
       const Eigen::Vector2d px(x, y);
@@ -93,13 +89,12 @@ FaceTemplate::FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& regi
 
 std::vector<bool> FaceTemplate::seenBy(const cameras::CameraModel& camera,
                                        const Eigen::Isometry3d& camera_T_head) const {
-  constexpr double kCell = 1.0 / kCoarsestStep;
   std::vector<bool> is_seen(points_.size(), false);
   std::vector<cv::Point> cell(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Eigen::Vector3d now_mm = camera_T_head * points_[i].mm;
-    if (now_mm.z() < 1 || facing(points_[i], camera_T_head) < kLeastFacing) continue;
-    const Eigen::Vector2d px = kCell * cameras::project(camera, now_mm);
+    if (now_mm.z() < 1 || facing(points_[i], camera_T_head) < kGrazing_cos) continue;
+    const Eigen::Vector2d px = cameras::project(camera, now_mm) / kCoarsestStep;
     if (px.cwiseAbs().maxCoeff() > 1e4) continue;
     cell[i] = {int(std::lround(px.x())), int(std::lround(px.y()))};
     is_seen[i] = true;
@@ -167,11 +162,10 @@ FaceTemplate::ExpectedPoints FaceTemplate::expectedPoints(const cameras::StereoR
 void FaceTemplate::ExpectedPoints::add(const Point& point, const Appearance::Grey& then,
                                        const Eigen::Matrix2d& d, const Eigen::Vector2d& offset) {
   using F = search::TemplateField;
-  constexpr int kLanes = search::kLanes;
-  const int lane = count_++ % kLanes;
-  if (lane == 0) blocks_.resize(blocks_.size() + F::count * kLanes, 0.f);
-  float* to = &blocks_[blocks_.size() - F::count * kLanes] + lane;
-  const auto set = [&](int field, double value) { to[field * kLanes] = float(value); };
+  const int lane = count_++ % search::kLanes;
+  if (lane == 0) blocks_.resize(blocks_.size() + F::count * search::kLanes, 0.f);
+  float* to = &blocks_[blocks_.size() - F::count * search::kLanes] + lane;
+  const auto set = [&](int field, double value) { to[field * search::kLanes] = float(value); };
   set(F::x, point.mm.x()), set(F::y, point.mm.y()), set(F::z, point.mm.z());
   set(F::normal_x, point.normal.x()), set(F::normal_y, point.normal.y()), set(F::normal_z, point.normal.z());
   set(F::value, then.value), set(F::weight, then.weight);
@@ -190,7 +184,7 @@ FaceTemplate::Sums FaceTemplate::ExpectedPoints::sumsIn(const cv::Mat1f& image,
   const auto pose = floatsOf(camera_T_head);
   std::copy(pose.begin(), pose.end(), view.camera_T_head);
   for (int i = 0; i < 3; ++i) view.centre[i] = float(centre_mm[i]);
-  view.least_facing = float(kLeastFacing), view.reach = kReach;
+  view.least_facing = float(kGrazing_cos), view.reach = kReach;
   const search::TemplateSums seen = search::kernel().sum(view);
   Sums sums;
   for (int i = 0, n = 0; i < 6; ++i) {
@@ -212,14 +206,13 @@ FaceTemplate::Fit FaceTemplate::fit(const cameras::StereoRig& rig, const Appeara
       Sums sums;
       for (int c = 0; c < 2; ++c)
         sums += expected[c].sumsIn(now.image[l][c], seenFrom(rig, c, fit.motion), centre_mm_);
-      if (sums.seen < kFewest) return {fit.motion, 0.0};
+      if (sums.seen < double(kFewestPoints)) return {fit.motion, 0.0};
       fit.likeness = sums.product / std::sqrt(std::max(1e-9, sums.now_squares * sums.then_squares));
       sums.normal.diagonal() *= 1.01;
       const Vector6d xi = solveSymmetric(sums.normal, sums.pull);
       if (!xi.allFinite()) return {fit.motion, 0.0};
       fit.motion =
           fit.motion * Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);
-      if (xi.tail<3>().norm() + 80.0 * xi.head<3>().norm() < kSettled_mm) break;
     }
   }
   return fit;

@@ -47,6 +47,9 @@ class FaceTemplate {
     double likeness = 0.0;                                     // correlation over both images, -1 .. 1
   };
 
+  /// Fewer points in view show no face.
+  static constexpr std::size_t kFewestPoints = 40;
+
   FaceTemplate() = default;
   /// Makes it from the reference. `centre_mm`: centre of rotation of the increments, Head.
   FaceTemplate(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,

@@ -6,15 +6,14 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLongestGap_s = 0.3;  // no prediction across a longer gap
-constexpr double kSteady_s = 0.03;     // time constant of the steady velocity
+constexpr double kSteady_s = 0.03;  // time constant of the steady velocity
 constexpr double kSameFrame_s = 1e-4;
 
 }  // namespace
 
 bool HeadMotion::isRecent(Timestamp now) const {
   const double since_s = now - captured_;
-  return is_known_ && since_s >= 0 && since_s < kLongestGap_s;
+  return is_known_ && since_s >= 0 && since_s < kMoment_s;
 }
 
 Eigen::Isometry3d HeadMotion::predicted(Timestamp now) const {
@@ -30,7 +29,7 @@ Vector6d HeadMotion::steadyWith(const Eigen::Isometry3d& pose, Timestamp capture
 void HeadMotion::add(const Eigen::Isometry3d& pose, Timestamp captured) {
   Vector6d velocity = Vector6d::Zero();
   const double since_s = is_known_ ? captured - captured_ : 0.0;
-  if (since_s > kSameFrame_s && since_s < kLongestGap_s) velocity = velocityTo(pose, since_s);
+  if (since_s > kSameFrame_s && since_s < kMoment_s) velocity = velocityTo(pose, since_s);
   steady_ = is_known_ ? smoothed(velocity, since_s) : velocity;
   pose_ = pose, velocity_ = velocity, captured_ = captured, is_known_ = true;
 }

@@ -12,6 +12,9 @@ namespace facenav::head_tracking {
 /// Upper bound of a person's walking speed.
 inline constexpr double kWalk_mm_s = 1500.0;
 
+/// Time over which a velocity predicts a pose, and a face that was seen is still the same person's.
+inline constexpr double kMoment_s = 0.3;
+
 class HeadMotion {
  public:
   HeadMotion() = default;

@@ -15,11 +15,8 @@ constexpr double kNewSide_rad = 11 * kRadPerDeg;        // angle from every othe
 constexpr double kAlike_rad = 2 * kRadPerDeg;           // a smaller gain does not change the key frame
 constexpr double kGenerationCost_rad = 4 * kRadPerDeg;  // cost of a key frame made from another key frame
 constexpr double kMomentGain_rad = 25 * kRadPerDeg;     // advantage of a key frame of the moment
-constexpr int kOldestGeneration = 3;
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
-constexpr double kLeastQuality = 0.8, kWorstScale = 3.0,
-                 kWorstSigma_mm = 0.25;  // limits of a fit to learn from
-constexpr int kLeastUsable = 60;
+constexpr double kLeastQuality = 0.8, kLearnt_mm = 0.25;  // quality and largest sigma of a fit to learn from
 constexpr int kMargin_px = 48;  // around the patches' centres: half of the coarsest patch, and its blur
 
 double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
@@ -90,9 +87,8 @@ const KeyFrame& KeyFrames::likeliest(const Eigen::Isometry3d& motion) const {
 }
 
 bool KeyFrames::isNewSide(const PoseFit& fit, const Verdict& verdict) const {
-  if (keys_.size() >= kMost || verdict.quality < kLeastQuality || fit.scale > kWorstScale) return false;
-  if (std::sqrt(verdict.covariance.bottomRightCorner<3, 3>().trace()) > kWorstSigma_mm) return false;
-  if (keys_[chosen_].generation + 1 > kOldestGeneration) return false;
+  if (keys_.size() >= kMost || verdict.quality < kLeastQuality || fit.scale > kAsExpected) return false;
+  if (std::sqrt(verdict.covariance.bottomRightCorner<3, 3>().trace()) > kLearnt_mm) return false;
   return std::none_of(keys_.begin(), keys_.end(), [&](const KeyFrame& key) {
     return angleBetween(key.motion, fit.motion) < kNewSide_rad;
   });
@@ -223,7 +219,7 @@ void KeyFrames::goOn(const cameras::StereoRig& rig, const PatchModel& model) {
   const std::size_t end = std::min(fresh.next + (fresh.level == 0 ? kPatchesAtOnce : kCoarseAtOnce), all);
   while (fresh.next < end) learnPatch(rig, model, fresh.next++);
   if (end < all) return;
-  if (fresh.level == 0 && fresh.usable < 2 * kLeastUsable) return unfinished_.pop_front();
+  if (fresh.level == 0 && fresh.usable < 2 * int(kFewestPatches)) return unfinished_.pop_front();
   if (fresh.level == 0) {  // enough to track; the reference's coarser levels are used until they are learnt
     fresh.index = keys_.size();
     keys_.push_back(fresh.key);

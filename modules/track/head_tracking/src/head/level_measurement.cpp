@@ -9,7 +9,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLeastLightChange = 0.02, kUsualLightChange = 0.2;
+constexpr double kLeastLightChange = 0.02;
 constexpr float kAlikeShare = 0.6f;  // share of the expected correlation
 constexpr int kFewestAlike = 10;     // patches in view of both cameras; no result with fewer
 constexpr int kLightSteps = 2;       // steps of a fit in which the light is measured
@@ -78,7 +78,7 @@ double LevelMeasurement::lightChange() const {
   for (const auto& measurement : measurements_)
     for (const auto& one : measurement)
       if (one.is_visible && one.ncc > 0.5f * one.expected_ncc) ratios.push_back(one.brightness);
-  if (ratios.size() < 10) return kUsualLightChange;
+  if (ratios.size() < std::size_t(kFewestAlike)) return kLeastLightChange;
   const auto quantile = [&](double share) {
     const auto at = ratios.begin() + std::ptrdiff_t(share * double(ratios.size()));
     std::nth_element(ratios.begin(), at, ratios.end());

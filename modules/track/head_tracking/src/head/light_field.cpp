@@ -8,7 +8,6 @@ namespace {
 constexpr float kMostChange =
     0.35f;  // difference of a neighbour's ratio from the patch's own; more: edge of a shadow
 constexpr float kRidge_px2 = 150.f;  // prefers no slope if few neighbours lie on one side
-constexpr float kLeastWeight = 4.f;
 
 }  // namespace
 
@@ -24,7 +23,7 @@ Eigen::Vector2f lightSlope(const std::vector<Neighbour>& neighbours, const Patch
     n += w, x += w * u, y += w * v, r += w * change;
     xx += w * u * u, xy += w * u * v, yy += w * v * v, xr += w * u * change, yr += w * v * change;
   }
-  if (n < kLeastWeight || own < 0.05f) return Eigen::Vector2f::Zero();
+  if (!(n > 0.f) || own < 0.05f) return Eigen::Vector2f::Zero();
   xx += kRidge_px2 - x * x / n, yy += kRidge_px2 - y * y / n, xy -= x * y / n;
   xr -= x * r / n, yr -= y * r / n;
   const float determinant = xx * yy - xy * xy;

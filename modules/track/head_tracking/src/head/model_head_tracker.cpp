@@ -4,6 +4,7 @@
 // cascade takes tens of milliseconds, while the search by the face's own images (coarse_search.h) finds it
 // within a few frames of a few milliseconds each.
 
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/face/stereo_face.h"
 #include "facenav/head_tracking/head_tracker.h"
 #include "frame_guard.h"
@@ -14,11 +15,6 @@
 
 namespace facenav::head_tracking {
 namespace {
-
-constexpr double kCortexDepth_mm = 80.0;  // from the face to the brain, where motion is measured
-// Age limits of an answer about a lost face. Up to kFresh_s its identity is valid for the present face. An
-// older one (slow machine) gives pose and key frame to start from, and the skin's identity is checked again.
-constexpr double kFresh_s = 0.35, kOldest_s = 2.5;
 
 class ModelHeadTracker : public HeadTracker {
  public:
@@ -152,9 +148,9 @@ class ModelHeadTracker : public HeadTracker {
     return result;
   }
 
-  // Applies an answer about a lost face to this frame. Returns nothing if it is undecided or too old.
+  // Applies an answer about a lost face to this frame. Returns nothing if it is undecided or from before the
+  // loss.
   std::optional<Tracked<HeadPose>> answerOf(const LostFace::Found& found, const cameras::StereoFrame& frame) {
-    if (std::abs(frame.captured - found.captured) > kOldest_s) return std::nullopt;
     // Not from patches_.motion(): it is the patches' own pose of an unconfirmed return, which was not shown.
     const bool is_before_the_loss = shown_ && found.captured.s < shown_->s;
     if (is_before_the_loss) return std::nullopt;
@@ -179,7 +175,7 @@ class ModelHeadTracker : public HeadTracker {
       check_.askAgain();
       return std::nullopt;
     }
-    const bool is_fresh = std::abs(frame.captured - found->captured) < kFresh_s;
+    const bool is_fresh = std::abs(frame.captured - found->captured) < kMoment_s;
     if (found->moment && check_.wasGone() && is_fresh && !patches_.isOfMoment())
       return continueFrom(*found, frame);
     lost_face_->remember(*found);
@@ -187,7 +183,7 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   void checkIfDue(const cameras::StereoFrame& frame) {
-    if (!check_.isDue(frame.captured, patches_.motion().speedBehind_mm_s(kCortexDepth_mm))) return;
+    if (!check_.isDue(frame.captured, patches_.motion().speedBehind_mm_s(anatomy::kFaceToCortex_mm))) return;
     if (lost_face_->isBusy()) lost_face_->drop(frame.captured);  // started before a return
     if (lost_face_->isBusy()) return;
     lost_face_->ask(frame, patches_.motion().pose());
@@ -203,7 +199,8 @@ class ModelHeadTracker : public HeadTracker {
 
   // Continues from a pose that recovery found some frames ago.
   Tracked<HeadPose> continueFrom(const LostFace::Found& found, const cameras::StereoFrame& frame) {
-    const bool is_fresh = std::abs(frame.captured - found.captured) < kFresh_s;
+    // An older answer (slow machine) gives pose and key frame, and the skin's identity is checked again.
+    const bool is_fresh = std::abs(frame.captured - found.captured) < kMoment_s;
     const auto result = patches_.continueFrom(found.camera_T_head, found.moment, is_fresh, frame);
     result ? lost_face_->remember(found) : check_.cancel();
     return result;

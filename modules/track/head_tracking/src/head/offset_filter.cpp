@@ -12,8 +12,7 @@ constexpr double kSharedFor_s = 0.1;      // frames closer together share it
 constexpr double kDrift_s2_per_s = 4e-8;  // two free clocks: 0.2 ms in a second
 constexpr double kContradiction = 4.0;    // standard deviations
 constexpr int kBelieved = 20;             // consecutive contradictions after which the offset has jumped
-constexpr int kFewestPatches = 30;
-constexpr double kCertain = 2.0;  // standard deviations
+constexpr double kCertain = 2.0;          // standard deviations
 
 struct Measurement {
   double offset_s = 0.0, variance_s2 = 0.0;
@@ -47,7 +46,7 @@ std::optional<Measurement> measure(const PatchLevel& level, const PoseFit& fit, 
       along_d += w * u.dot(d);
     }
   }
-  if (count < kFewestPatches) return std::nullopt;
+  if (count < int(kFewestPatches)) return std::nullopt;
   const Eigen::LDLT<Matrix6d> solver(h);
   const Vector6d by_offset = solver.solve(cross);
   const double information = along - cross.dot(by_offset);  // with the pose free

@@ -15,11 +15,9 @@ using patch::kSide;
 constexpr double kSamplingError_px = 0.05;  // error from sampling and from each view's own shading
 constexpr double kUsualShading = 0.1;       // change of light that the filters are designed for
 constexpr double kWorstSigma_px = 0.5;  // patches with a larger error in their best direction are left out
-constexpr double kShadingSmooth_px = 2.0;
 constexpr double kLeastDepthError_mm = 0.2;  // of the smoothed cloud on smooth, frontal skin
 constexpr double kSurfaceReach_px = 5.5;     // margin round the patch for the surface fitted under it
 constexpr double kSpreadPerRoughness = 0.2;  // rad of a normal per mm of roughness, over half a patch
-constexpr double kLeastFacing = 0.30;        // cosine between view and normal
 
 // Grey value and its derivatives along x and y (differences over two pixels) by Catmull-Rom's bicubic kernel.
 // All three share the same six row sums.
@@ -99,7 +97,7 @@ Square correlation(const std::array<double, kSide>& by_lag) {
 const Square& shadingCorrelation() {  // smooth over some two pixels
   static const Square c = [] {
     std::array<double, kSide> by_lag;
-    for (int lag = 0; lag < kSide; ++lag) by_lag[lag] = std::exp(-0.5 * std::pow(lag / kShadingSmooth_px, 2));
+    for (int lag = 0; lag < kSide; ++lag) by_lag[lag] = std::exp(-0.5 * std::pow(lag / kFineShading_px, 2));
     return correlation(by_lag);
   }();
   return c;
@@ -196,7 +194,7 @@ PatchAppearance appearanceOf(const cameras::CameraModel& camera, const Eigen::Is
   PatchAppearance appearance;
   const Eigen::Vector3d centre_mm = camera_T_head * points.centre_mm;
   const double facing = -(camera_T_head.linear() * points.normal).dot(centre_mm.normalized());
-  if (facing < kLeastFacing) return appearance;
+  if (facing < kGrazing_cos) return appearance;
   for (auto* values : {&appearance.grey, &appearance.d_u, &appearance.d_v}) values->reserve(kSamples);
   for (const auto& p_mm : points.points_mm) {
     const Eigen::Vector2d px = cameras::project(camera, camera_T_head * p_mm) / scale - origin;

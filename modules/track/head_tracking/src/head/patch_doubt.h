@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "facenav/head_tracking/head_tracker.h"
+#include "head_motion.h"
 #include "recovery/lost_face.h"
 
 namespace facenav::head_tracking {
@@ -52,12 +53,10 @@ class PatchDoubt {
   }
 
   /// True if another person's face was seen a moment ago.
-  bool wasOtherSeen(Timestamp now) const {
-    return other_seen_ && std::abs(now - *other_seen_) < kOtherSeen_s;
-  }
+  bool wasOtherSeen(Timestamp now) const { return other_seen_ && std::abs(now - *other_seen_) < kMoment_s; }
 
  private:
-  static constexpr double kLongest_s = 5.0, kOtherSeen_s = 0.3;
+  static constexpr double kLongest_s = 5.0;
   std::optional<Fault> fault_;
   Timestamp since_;
   std::optional<Timestamp> other_seen_;

@@ -12,8 +12,8 @@ using patch::kSide;
 using MatrixS = Eigen::Matrix<float, kSamples, kSamples>;
 using VectorS = Eigen::Matrix<float, kSamples, 1>;
 
-constexpr double kSmooth_px = 6.0, kFine_px = 2.0;  // distance over which shading is correlated
-constexpr double kFineShare = 0.04;                 // fraction of its variance at the finer scale
+constexpr double kSmooth_px = 6.0;   // distance over which most of the shading is correlated
+constexpr double kFineShare = 0.04;  // fraction of its variance at the finer scale
 // White variance of the error of bilinear sampling, relative to the sensor's. Without it the filters would
 // amplify detail lost to blur.
 constexpr double kSampling = 0.03;
@@ -41,8 +41,8 @@ struct Base {
   explicit Base(int level) {
     const Eigen::MatrixXd noise =
         separable(noiseCorrelation(level)) + kSampling * Eigen::MatrixXd::Identity(kSamples, kSamples);
-    const Eigen::MatrixXd smooth =
-        (1 - kFineShare) * separable(smoothOver(kSmooth_px)) + kFineShare * separable(smoothOver(kFine_px));
+    const Eigen::MatrixXd smooth = (1 - kFineShare) * separable(smoothOver(kSmooth_px)) +
+                                   kFineShare * separable(smoothOver(kFineShading_px));
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(smooth, noise);
     vectors = solver.eigenvectors().cast<float>();
     shading = solver.eigenvalues().cwiseMax(0.0).cast<float>();

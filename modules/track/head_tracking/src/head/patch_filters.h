@@ -14,6 +14,9 @@
 
 namespace facenav::head_tracking {
 
+/// Distance over which fine shading is correlated, pixels of the level.
+constexpr double kFineShading_px = 2.0;
+
 /// Filters of patch::kSamples values, orthogonal to 1 and to `grey` (so offset and gain drop out), with the
 /// length of the derivatives. `d_u`, `d_v`: derivatives of `grey` (mean subtracted), per pixel of the level.
 /// `noise_grey`: standard deviation of the sensor's noise; `shading_grey`: of shading within the patch.

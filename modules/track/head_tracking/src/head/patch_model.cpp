@@ -19,12 +19,11 @@ struct LevelPlan {
   std::size_t most;  // number of patches
 };
 constexpr LevelPlan kPlan[kLevels] = {{8, 240}, {7, 110}, {5, 60}, {4, 30}};
-constexpr int kRegionColumns = 5, kRegionRows = 6;  // parts of the face whose errors are treated as one
-constexpr double kUsualTurn_rad = 0.25;             // turn of the head for which patches are chosen
+constexpr double kUsualTurn_rad = 0.25;  // turn of the head for which patches are chosen
 constexpr double kFlatShading =
     0.02;  // shading left in a patch of flat skin, relative to the change of light
 constexpr double kLightReach_px = 34.0;  // distance over which light changes evenly
-constexpr std::size_t kMostNeighbours = 20, kLeastNeighbours = 6;
+constexpr std::size_t kMostNeighbours = 20;
 
 struct Candidate {
   Eigen::Vector2d px;  // in pixels of the level
@@ -170,12 +169,6 @@ void append(PatchLevel& model, const Candidate& candidate, int region) {
   model.patches.push_back(patch);
 }
 
-int regionOf(const Eigen::Vector2d& px, const cv::Rect& box) {
-  const int column = std::clamp(int(kRegionColumns * (px.x() - box.x) / box.width), 0, kRegionColumns - 1);
-  const int row = std::clamp(int(kRegionRows * (px.y() - box.y) / box.height), 0, kRegionRows - 1);
-  return row * kRegionColumns + column;
-}
-
 Eigen::Vector3d meanOf(const std::vector<Candidate>& all) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& candidate : all) mean += candidate.points.centre_mm / double(all.size());
@@ -194,7 +187,6 @@ std::vector<std::vector<Neighbour>> neighboursOf(const PatchLevel& level) {
     std::stable_sort(near.begin(), near.end(),
                      [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
     if (near.size() > kMostNeighbours) near.resize(kMostNeighbours);
-    if (near.size() < kLeastNeighbours) near.clear();
     all.push_back(std::move(near));
   }
   return all;
@@ -216,7 +208,7 @@ PatchModel learnPatches(const cameras::StereoRig& rig, const cameras::StereoFram
                         const FaceSurface& surface) {
   PatchModel model;
   model.noise_grey = std::max(noiseOf(key_frame.left), noiseOf(key_frame.right));
-  model.regions = kRegionColumns * kRegionRows;
+  model.regions = FaceRegion::kPartColumns * FaceRegion::kPartRows;
   for (int l = 0; l < kLevels; ++l) {
     model.level[l].level = l;
     const double noise_grey = noiseBeforeBlur(model.noise_grey, l);
@@ -231,7 +223,7 @@ PatchModel learnPatches(const cameras::StereoRig& rig, const cameras::StereoFram
                   candidate.appearance_now[1].view);
     }
     for (std::size_t i : mostInformative(all, kPlan[l].most))
-      append(model.level[l], all[i], regionOf((1 << l) * all[i].px, region.box()));
+      append(model.level[l], all[i], region.partAt((1 << l) * all[i].px));
   }
   model.neighbours = neighboursOf(model.level[0]);
   return model;

@@ -38,6 +38,9 @@ struct PatchView {
   float contrast = 0.f, mean = 0.f;  // of the template: sum of squares about its mean; mean grey
 };
 
+/// Least area of a patch in an image, relative to its area in the left key image.
+constexpr double kLeastArea = 0.2;
+
 struct Patch {
   Eigen::Vector3d centre_mm, normal;  // Camera at the reference, i.e. Head
   Eigen::Vector3d right_mm, down_mm;  // along the skin, per pixel of the level in the left key image

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kCommonError_px =
     0.15;  // errors of shape and light common to both images, pixels of the level
-constexpr double kLeastAreaInKey = 0.2;  // of the patch in one key image, relative to that in the left
 
 // Displacement of the patch in camera c per displacement along the skin, in pixels of the left key image.
 Eigen::Matrix2d alongSkin(const Patch& patch, int c) {
@@ -50,8 +49,8 @@ PatchObservation observedByOne(const Patch& patch, int c, const PatchChange& cha
 
 bool canBePaired(const Patch& patch) {
   return patch.view[0].is_usable && patch.view[1].is_usable &&
-         std::abs(alongSkin(patch, 0).determinant()) > kLeastAreaInKey &&
-         std::abs(alongSkin(patch, 1).determinant()) > kLeastAreaInKey;
+         std::abs(alongSkin(patch, 0).determinant()) > kLeastArea &&
+         std::abs(alongSkin(patch, 1).determinant()) > kLeastArea;
 }
 
 std::array<PatchObservation, 2> observedByBoth(const Patch& patch, const PatchChange& change) {

@@ -3,14 +3,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "face_surface.h"
+
 namespace facenav::head_tracking {
-namespace {
-
-constexpr double kLeastFacing = 0.25;
-constexpr double kLeastArea = 0.2;  // of a patch now, relative to its area in the key frame
-
-}  // namespace
-
 std::array<float, 12> floatsOf(const Eigen::Isometry3d& pose) {
   std::array<float, 12> m;
   for (int r = 0; r < 3; ++r) {
@@ -30,7 +25,7 @@ Placed place(const PatchLevel& level, const cameras::CameraModel& camera, int in
     if (!patch.view[index].is_usable) continue;
     const Eigen::Vector3d centre_mm = camera_T_head * patch.centre_mm;
     if (centre_mm.z() < 1 ||
-        -(camera_T_head.linear() * patch.normal).dot(centre_mm) < kLeastFacing * centre_mm.norm())
+        -(camera_T_head.linear() * patch.normal).dot(centre_mm) < kGrazing_cos * centre_mm.norm())
       continue;
     Eigen::Matrix<double, 2, 3> d_p;
     const Eigen::Vector2d px = cameras::project(camera, centre_mm, d_p);

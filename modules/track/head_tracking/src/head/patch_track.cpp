@@ -12,15 +12,10 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kReach_mm = 150.0;    // of a sudden motion of the head, besides walking
-constexpr double kGettingThere = 0.8;  // likeness from which an unsettled fit is continued in the next frame
-constexpr int kLearnBelow_comparisons = 3400;  // largest work at patches in a frame that also learns
-constexpr std::size_t kAskedParts = 8;         // parts of the patches; the identity check takes one per frame
+constexpr double kReach_mm = 150.0;     // of a sudden motion of the head, besides walking
+constexpr std::size_t kAskedParts = 8;  // parts of the patches; the identity check takes one per frame
 constexpr int kLastingEvery = 20;  // tracked frames between two tries of the key frames from before a loss
-constexpr double kSamePlace_mm = 0.4, kSameTurn_rad = 0.25 * kRadPerDeg;  // between two key frames' poses
-constexpr double kAsExpected = 2.0;  // residuals relative to their expected sigma, on skin that has not moved
-constexpr double kFirstFrame_s = 0.03;
-constexpr int kMargin_px = 20;  // around the patches' centres: half a patch, and the remaining motion
+constexpr int kMargin_px = 20;     // around the patches' centres: half a patch, and the remaining motion
 
 std::vector<FaceFeature> featuresOf(const PoseFit& fit) {
   std::vector<FaceFeature> features;
@@ -168,10 +163,7 @@ std::optional<Tracked<HeadPose>> PatchTrack::asBeforeTheLoss(const cameras::Ster
   const PoseFit fit =
       fitPose(camera_.now(), model_, key.level, now, by_moment.motion, 0, patch_weights_.weights());
   work_.comparisons += fit.comparisons;
-  const Eigen::Isometry3d off = by_moment.motion.inverse() * fit.motion;
-  const bool is_same = (off * model_.centre_mm - model_.centre_mm).norm() < kSamePlace_mm &&
-                       rotationAngle(off.linear()) < kSameTurn_rad;
-  if (!is_same && fit.scale > kAsExpected) return std::nullopt;
+  if (fit.scale > kAsExpected) return std::nullopt;
   const Verdict verdict = verdictOf(key, fit);
   if (!verdict.isTracked() || identityAt(key, now, fit) != SkinIdentity::patient) return std::nullopt;
   keys_.endMoment();
@@ -202,7 +194,7 @@ Tracked<HeadPose> PatchTrack::searchInFrame(const cameras::StereoFrame& frame,
   }
   const auto there = attempt(frame, now, found.best.motion, {false, false});
   if (there.verdict.isTracked()) return accepted(frame, there.fit, there.verdict);
-  if (!there.fit.is_settled && there.fit.likeness > kGettingThere) search_.goOnFrom(there.fit.motion);
+  if (!there.fit.is_settled && there.fit.likeness > kLikely) search_.goOnFrom(there.fit.motion);
   return lost(*there.verdict.lost, detailOf(there, now, frame.captured));
 }
 
@@ -254,7 +246,7 @@ Tracked<HeadPose> PatchTrack::lost(LostReason reason, LossDetail detail) {
 
 // Learns sides, but not in a frame with a search, which has used enough work.
 void PatchTrack::learnSides(const cameras::StereoFrame& frame, const PoseFit& fit, const Verdict& verdict) {
-  if (work_.comparisons > kLearnBelow_comparisons) return;
+  if (!work_.leavesTimeToFit()) return;
   const KeyMotion moving = camera_.motionOf(last_.steadyWith(fit.motion, frame.captured));
   if (keys_.learn(camera_.rigFor(fit.motion, moving), model_, frame, fit, verdict, moving))
     search_.add({ImagePyramid::coarse(frame.left), ImagePyramid::coarse(frame.right)}, fit.motion);
@@ -281,7 +273,7 @@ std::optional<health::RightPoseObservation> PatchTrack::rightCamera(const PoseFi
 
 Tracked<HeadPose> PatchTrack::accepted(const cameras::StereoFrame& frame, const PoseFit& fit,
                                        const Verdict& verdict) {
-  patch_weights_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : kFirstFrame_s);
+  patch_weights_.learn(fit, last_.isKnown() ? frame.captured - last_.captured() : 0.0);
   detail_ = LossDetail::unknown;
   fit_scale_ = fit.scale;
   last_.add(fit.motion, frame.captured);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMemory_s = 0.7;     // time constant to notice that a patch moves by itself
-constexpr double kExpected = 4.0;     // squared distance that noise explains
-constexpr double kMostAtOnce = 50.0;  // limit for one bad frame
-constexpr double kLongest_s = 0.1;    // longest time between two frames that is weighted
+constexpr double kMemory_s = 0.7;   // time constant to notice that a patch moves by itself
+constexpr double kExpected = 4.0;   // squared distance that noise explains
+constexpr double kLongest_s = 0.1;  // longest time between two frames that is weighted
 
 }  // namespace
 
@@ -25,7 +26,8 @@ void PatchWeights::learn(const PoseFit& fit, double since_s) {
     double seen = -1.0;
     for (const auto& measurement : fit.measurements[i])
       if (measurement.is_visible)
-        seen = std::max(seen, std::min(double(measurement.distance * measurement.distance), kMostAtOnce));
+        // A patch beyond the fit's reach has no weight there; how far it is then says nothing.
+        seen = std::max(seen, std::pow(std::min(double(measurement.distance), kTukeyReach), 2));
     if (seen >= 0) wander_[i] += share * (std::max(0.0, seen - kExpected) - wander_[i]);
   }
 }

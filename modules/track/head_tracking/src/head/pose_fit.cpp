@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/normal_equations.h"
 #include "level_measurement.h"
 #include "patch_observation.h"
@@ -13,16 +14,8 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr float kBiweight = 4.685f;      // 95 % efficiency for normal errors (Huber 1981)
-constexpr float kLongestStep_px = 2.5f;  // at a larger displacement a patch's linearisation is invalid
-constexpr double kUnsettled_px = 0.1;    // motion in the last step above which the fit has not converged
-// Steps on the finest level after which a fit is stopped: with too small a likeness, or with more but not
-// converging. The likeness hardly changes over the steps. A patient's face converges in two steps, other
-// faces take eight or more.
-constexpr int kHopelessAfter = 1, kAstrayAfter = 3;
-constexpr double kHopeless = 0.2, kHopelessMoving = 0.5, kHopelessMoving_px = 0.2;
-constexpr double kAstray = 0.8;
-constexpr double kPlacedFor_px = 2.0;  // motion over which the cameras' linearisation at a patch is valid
+constexpr double kLinear_px = 2.5;     // motion over which the linearisation at a patch is valid
+constexpr double kUnsettled_px = 0.1;  // motion in the last step above which the fit has not converged
 constexpr float kLeastScale = 0.5f;
 // Factor on errors common to both cameras, which neighbouring patches share (one light, one shape).
 constexpr float kSharedError = 1.6f;
@@ -40,13 +33,6 @@ class LevelFit {
         level_(level),
         patch_weights_(patch_weights),
         seen_(rig, model, level, now) {}
-
-  bool isHopeless(int step, double moved_px) const {
-    if (step != kHopelessAfter && step != kAstrayAfter) return false;
-    const double alike = seen_.likeness();
-    if (step == kAstrayAfter) return alike < kAstray && moved_px > kUnsettled_px;
-    return alike < kHopeless || (alike < kHopelessMoving && moved_px > kHopelessMoving_px);
-  }
 
   void placeAt(const Eigen::Isometry3d& motion) {
     seen_.placeAt(motion);
@@ -206,8 +192,7 @@ class LevelFit {
   static float appearanceWeight(const PatchMeasurement& measurement) {
     if (!measurement.is_visible || measurement.expected_ncc <= 0.05f) return 0.f;
     const float likeness = std::clamp((measurement.ncc / measurement.expected_ncc - 0.3f) / 0.5f, 0.f, 1.f);
-    return measurement.displacement.squaredNorm() < kLongestStep_px * kLongestStep_px ? likeness
-                                                                                      : 0.1f * likeness;
+    return measurement.displacement.squaredNorm() < kLinear_px * kLinear_px ? likeness : 0.1f * likeness;
   }
 
   // Updates the displacements. A row gets weight 0 when its patch no longer looks as expected.
@@ -247,10 +232,10 @@ class LevelFit {
       if (list.empty()) continue;
       const auto middle = list.begin() + std::ptrdiff_t(list.size() / 2);
       std::nth_element(list.begin(), middle, list.end());
-      scale_[kind] = std::max(kLeastScale, *middle / 1.177f);  // median length of a 2-D normal error
+      scale_[kind] = std::max(kLeastScale, *middle / float(kMedianLength));
     }
     for (auto& row : rows_) {
-      const float reach = kBiweight * scale_[row.kind()];
+      const float reach = float(kTukeyReach) * scale_[row.kind()];
       const float q2 = row.distance * row.distance / (reach * reach);
       row.weight = is_start ? 1.f / (1.f + 4.f * q2) : (q2 < 1.f ? (1.f - q2) * (1.f - q2) : 0.f);
     }
@@ -328,7 +313,7 @@ PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const Pa
     double moved_px = std::numeric_limits<double>::max(), since_placed_px = 0;
     Vector6d xi = Vector6d::Zero();
     for (int iteration = 0; iteration < (l == 0 ? most_steps : kIterations[l]); ++iteration) {
-      if (iteration == 0 || since_placed_px > kPlacedFor_px) level.placeAt(fit.motion), since_placed_px = 0;
+      if (iteration == 0 || since_placed_px > kLinear_px) level.placeAt(fit.motion), since_placed_px = 0;
       level.measure(fit.motion);
       fit.comparisons += level.placements();
       xi = level.solve(iteration == 0 ? 3 : 2, iteration == 0);
@@ -336,7 +321,9 @@ PoseFit fitPose(const cameras::StereoRig& rig, const PatchModel& model, const Pa
       moved_px = level.motion_px(xi);
       since_placed_px += moved_px;
       if (moved_px < kSettled_px[l]) break;
-      if (l == 0 && level.isHopeless(iteration, moved_px)) break;
+      // The likeness hardly changes over the steps. A patient's face converges in two, others take many: the
+      // rest of the frame's work is for the search.
+      if (l == 0 && iteration > 1 && moved_px > kUnsettled_px && level.likeness() < kLikely) break;
     }
     if (l == last_level) fit.likeness = level.likeness();
     if (l > 0) continue;

@@ -46,8 +46,15 @@ struct PoseFit {
   double likeness = 0.0;           // fraction of the patches in view that look as expected, last level
 };
 
-/// A level with fewer patches is skipped: it would make the pose worse.
+/// A level with fewer patches is skipped: it would make the pose worse. As many must look as expected in each
+/// camera, and so large a share of those in view.
 constexpr std::size_t kFewestPatches = 15;
+constexpr double kLeastGoodShare = 0.25;
+/// From this likeness on the head is probably there.
+constexpr double kLikely = 0.8;
+/// Scale of the residuals (PoseFit::scale) on skin that has not moved is less; another expression has 3 or
+/// more.
+constexpr double kAsExpected = 2.0;
 
 /// Fits coarse to fine from `start`, beginning at `first_level`. `levels`: the model's, or the same patches
 /// in a later key frame. Ends after `last_level`; above 0 a fit costs a fifth, enough to choose among starts

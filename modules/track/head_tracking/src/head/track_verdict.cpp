@@ -1,4 +1,5 @@
 #include "track_verdict.h"
+#include "facenav/anatomy/head_norms.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
 
@@ -9,20 +10,16 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr int kLeastGood = 15;            // patches in each camera
-constexpr double kLeastGoodShare = 0.25;  // of the patches in view with enough contrast
-constexpr double kWidestRatio = 3.5;      // between the two cameras' shares
-// Largest predicted standard error of a pose that is shown: a fifth of the error of a wrong pose, 3 mm (or 2
-// degrees).
+// Largest predicted standard error of a pose that is shown, at the cortex: a fifth of the error of a wrong
+// pose, 3 mm.
 constexpr double kWorstSigma_mm = 0.6;
-constexpr double kWorstSigma_rad = 0.4 * kRadPerDeg;
 constexpr double kMomentFactor = 5.0 / 3.0;  // factor for a face found again: a third of 3 mm
-constexpr double kCortexDepth_mm = 90.0;     // from the face's centre, away from the cameras
 constexpr double kWorstScale = 6.0;
 
 struct Count {
-  int visible = 0, good = 0;
-  double share() const { return visible > 0 ? double(good) / visible : 0.0; }
+  std::size_t visible = 0, good = 0;
+  double share() const { return visible > 0 ? double(good) / double(visible) : 0.0; }
+  bool isEnough() const { return good >= kFewestPatches && share() >= kLeastGoodShare; }
 };
 
 Count count(const PoseFit& fit, int camera) {
@@ -50,7 +47,7 @@ Matrix6d covarianceOf(const PoseFit& fit) {
 
 double sigmaAtCortex_mm(const Matrix6d& covariance) {
   Eigen::Matrix<double, 3, 6> carry;
-  carry << -skew(Eigen::Vector3d(0, 0, kCortexDepth_mm)), Eigen::Matrix3d::Identity();
+  carry << -skew(Eigen::Vector3d(0, 0, anatomy::kFaceToCortex_mm)), Eigen::Matrix3d::Identity();
   return std::sqrt((carry * covariance * carry.transpose()).trace());
 }
 
@@ -63,18 +60,14 @@ Verdict judge(const PatchModel& model, const PoseFit& fit, const Matrix6d& key_c
   verdict.good_share = {left.share(), right.share()};
   verdict.covariance = model.variance_factor * covarianceOf(fit) + key_covariance;
   const double factor = std::sqrt(model.variance_factor) * (is_of_moment ? kMomentFactor : 1.0);
-  const double least = std::min(left.share(), right.share()), most = std::max(left.share(), right.share());
-  if (std::max(left.good, right.good) < kLeastGood || most < kLeastGoodShare) {
+  if (!left.isEnough() && !right.isEnough())
     verdict.lost = LostReason::few_features;
-  } else if (std::min(left.good, right.good) < kLeastGood || least < kLeastGoodShare ||
-             most > kWidestRatio * least) {
+  else if (!left.isEnough() || !right.isEnough())
     verdict.lost = LostReason::camera;
-  } else if (!fit.is_settled || fit.scale > kWorstScale ||
-             sigmaAtCortex_mm(verdict.covariance) > factor * kWorstSigma_mm ||
-             std::sqrt(verdict.covariance.topLeftCorner<3, 3>().trace()) > factor * kWorstSigma_rad) {
+  else if (!fit.is_settled || fit.scale > kWorstScale ||
+           sigmaAtCortex_mm(verdict.covariance) > factor * kWorstSigma_mm)
     verdict.lost = LostReason::high_residual;
-  }
-  verdict.quality = std::clamp(least / 0.9, 0.0, 1.0);
+  verdict.quality = std::clamp(std::min(left.share(), right.share()) / 0.9, 0.0, 1.0);
   return verdict;
 }
 

@@ -10,6 +10,7 @@
 #include "facenav/head_tracking/head_tracker.h"
 #include "feature_fit.h"
 #include "frame_guard.h"
+#include "head/head_motion.h"
 #include "ncc.h"
 #include "plane_warp.h"
 
@@ -20,8 +21,6 @@ constexpr std::array<int, 7> kLandmarks = {36, 39, 42, 45,
                                            30, 48, 54};  // iBUG: eye corners, nose tip, mouth corners
 constexpr double kTemplateShare = 0.19;  // edge of the template by the distance of the outer eye corners
 constexpr double kLeastNcc = 0.6;
-constexpr double kReferenceNcc = 0.5;
-constexpr double kLongestGap_s = 0.25;  // no prediction across a longer gap
 
 struct Feature {
   Eigen::Vector3d p_mm;
@@ -109,7 +108,7 @@ class FeatureHeadTracker : public HeadTracker {
                                                   const Eigen::Vector2d& right_guess_px) const {
     const cv::Mat patch = cutPatch(reference_.left, left_px, Eigen::Matrix2d::Identity(), half_);
     const auto peak = findPeak(reference_.right, patch, right_guess_px, std::max(8, half_));
-    if (!peak || peak->ncc < kReferenceNcc) return std::nullopt;
+    if (!peak || peak->ncc < kLeastNcc) return std::nullopt;
     if (cameras::epipolarError_px(rig_, left_px, peak->px) > 2.0) return std::nullopt;
     return peak->px;
   }
@@ -117,7 +116,7 @@ class FeatureHeadTracker : public HeadTracker {
   std::optional<Eigen::Isometry3d> predict(Timestamp at) const {
     if (!last_) return std::nullopt;
     const double dt_s = at - last_->captured;
-    if (dt_s < 0 || dt_s > kLongestGap_s) return std::nullopt;
+    if (dt_s < 0 || dt_s > kMoment_s) return std::nullopt;
     const Vector6d step = last_->velocity * dt_s;
     return Eigen::Translation3d(last_->centre_mm) * expRigid(step) * Eigen::Translation3d(-last_->centre_mm) *
            last_->motion;
@@ -185,7 +184,7 @@ class FeatureHeadTracker : public HeadTracker {
   void remember(const FeatureFit& fit, Timestamp captured) {
     Vector6d velocity = Vector6d::Zero();
     const double dt_s = last_ ? captured - last_->captured : 0.0;
-    if (dt_s > 1e-4 && dt_s < kLongestGap_s) {
+    if (dt_s > 1e-4 && dt_s < kMoment_s) {
       const Eigen::Isometry3d step = fit.motion * last_->motion.inverse();
       velocity.head<3>() = logRotation(step.linear()) / dt_s;
       velocity.tail<3>() = (step * last_->centre_mm - last_->centre_mm) / dt_s;

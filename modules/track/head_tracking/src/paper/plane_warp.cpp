@@ -1,5 +1,6 @@
 #include "plane_warp.h"
 #include "facenav/geometry/normal_equations.h"
+#include "head/face_surface.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -7,8 +8,6 @@
 
 namespace facenav::head_tracking {
 namespace {
-
-constexpr double kGrazing_cos = 0.25;  // least cosine; more oblique patches are not used
 
 // d(pixel) / d(the two coordinates in the patch's plane).
 Eigen::Matrix2d spread(const cameras::CameraModel& camera, const Eigen::Vector3d& p_mm,

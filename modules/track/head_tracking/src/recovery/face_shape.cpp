@@ -6,19 +6,18 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
+#include "facenav/core/settings_in_force.h"
 #include "facenav/geometry/normal_equations.h"
+#include "facenav/head_tracking/identity_model.h"
 
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNodesAcross = 60.0;     // nodes over the face's width
-constexpr double kMostMobility_mm = 1.3;  // lips and chin do not show the skull's place
-constexpr double kRigid_mm = 0.6;
-constexpr double kReach_mm = 60.0;  // depth range in front of and behind the expected face
+constexpr double kNodesAcross = 60.0;  // nodes over the face's width
+constexpr double kReach_mm = 60.0;     // depth range in front of and behind the expected face
 constexpr int kCell_px = 4, kFewestNodes = 150, kIterations = 25;
 constexpr double kStereo_mm = 0.6;  // error shared by neighbours, without dots
-constexpr double kFreedom = 3.0;    // degrees of freedom of Student's t
-constexpr double kFarthest_mm = 12.0, kLeastFacing = 0.3, kSettled_mm = 0.01;
+constexpr double kFarthest_mm = 12.0, kSettled_mm = 0.01;
 
 // Mean of the measured points in each cell of the left image.
 class MeasuredFace {
@@ -89,8 +88,9 @@ struct ShapeStep {
   void add(double off_mm, double mobility_mm, double scale, const Vector6d& j) {
     const double sigma_mm = std::hypot(kStereo_mm, mobility_mm), distance = off_mm / sigma_mm;
     distances.push_back(std::abs(distance));
-    if (mobility_mm <= kRigid_mm) rigid_mm.push_back(std::abs(off_mm));
-    const double weight = (kFreedom + 1) / (kFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
+    if (mobility_mm <= settingsOf<IdentityModel>().identity_rigid_mm) rigid_mm.push_back(std::abs(off_mm));
+    const double weight =
+        (kStudentFreedom + 1) / (kStudentFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
     h.noalias() += weight * j * j.transpose();
     g += weight * off_mm * j;
   }
@@ -102,7 +102,7 @@ struct ShapeStep {
 /// Distance along its normal from a node to the measured skin; nullopt where that is turned away or unseen.
 std::optional<double> distance_mm(const MeasuredFace& face, const cameras::StereoRig& rig,
                                   const Eigen::Vector3d& p_mm, const Eigen::Vector3d& normal) {
-  if (p_mm.z() < 50 || -normal.dot(p_mm.normalized()) < kLeastFacing) return std::nullopt;
+  if (p_mm.z() < 50 || -normal.dot(p_mm.normalized()) < kGrazing_cos) return std::nullopt;
   const auto measured_mm = face.near(cameras::project(rig.left, p_mm));
   if (!measured_mm) return std::nullopt;
   return normal.dot(*measured_mm - p_mm);
@@ -117,7 +117,7 @@ FaceShape::FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, co
   for (double y = box.y; y < box.br().y; y += step)
     for (double x = box.x; x < box.br().x; x += step) {
       const Eigen::Vector2d px(x, y);
-      if (!region.contains(px) || mobility.at(px).sigma_mm > kMostMobility_mm) continue;
+      if (!region.contains(px) || mobility.at(px).sigma_mm > SkinMobility::kUpperFace_mm) continue;
       const auto local = surface.around(px, 2 * step);
       if (!local || !(local->inverseDepth(px) > 0)) continue;
       const auto lift = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {

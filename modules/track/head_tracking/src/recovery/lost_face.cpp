@@ -10,19 +10,12 @@
 namespace facenav::head_tracking {
 namespace {
 
-// Time that a live answer takes on one core of a small machine. The microsecond compensates for rounded frame
-// times, which delay every second answer about a recording by a frame.
-constexpr double kAnswer_s = 0.1 - 1e-6;
 constexpr double kOneMotion_s = 0.5;     // longest time between two answers that give the head's speed
 constexpr double kJitter_mm = 0.5;       // difference of two answers about a head at rest
 constexpr int kThoroughEvery = 4;        // questions; a search at all roll angles takes ten times longer
 constexpr double kDiagnosedFor_s = 3.0;  // the room decides anew after that; 0.3 s of one core
-constexpr int kMostSteps = 12, kFirstLevel = 1;
-// Scale of the residuals of the reference's patches relative to their expected sigma, below which the patches
-// are more exact than recovery's windows. Skin that has not moved has about 1, another expression 3 or more.
-constexpr double kAsExpected = 2.0;
-constexpr double kKnownShare = 0.8;    // share of windows in place; lower with another expression
-constexpr double kSamePlace_mm = 3.0;  // both poses put the face at the same place
+constexpr int kFirstLevel = 1;
+constexpr double kKnownShare = 0.8;  // share of windows in place; lower with another expression
 // Least agreement of both cameras on fine detail in images that keep it; strong compression lowers it.
 constexpr double kDetailKept = 0.73;
 // Agreement with the reference divided by that of both cameras, mean and standard deviation, for the patient
@@ -78,14 +71,14 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
                                            ImagePyramid(question.frame.right)};
   const PatchModel& model = *learnt.model;
   const PoseFit patches =
-      fitPose(question.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {}, 0, kMostSteps);
+      fitPose(question.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {});
   const DetailAgreement detail = detailAgreement(question.rig, model, model.level[0], now, patches);
   found.face.identity.log_likelihood_ratio += evidenceOf(detail, *learnt.both_cameras);
   found.identify();
   found.is_other |= found.face.identity.verdict() == Identity::Verdict::other;
   if (!found.is_patient) return found;
-  const double off_mm = (patches.motion * model.centre_mm - found.camera_T_head * model.centre_mm).norm();
-  if (patches.scale < kAsExpected && off_mm < kSamePlace_mm && judge(model, patches).isTracked() &&
+  // Where the reference's patches look as expected, they are more exact than recovery's windows.
+  if (patches.scale < kAsExpected && judge(model, patches).isTracked() &&
       identityOfSkin(detail, *learnt.both_cameras) == SkinIdentity::patient)
     found.camera_T_head = patches.motion;
   else

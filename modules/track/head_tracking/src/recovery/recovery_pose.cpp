@@ -16,10 +16,6 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr int kFewestMatches = 24;
-constexpr double kPoseFreedom = 3.0;   // degrees of freedom of Student's t
-constexpr int kPoseRounds = 12;        // iterations of reweighting
-constexpr double kUpperFace_mm = 1.3;  // largest mobility of skin that shows the skull's place
-constexpr double kLeastScale = 0.3;    // of residuals relative to their expected sigma
 constexpr double kRig_rad = 0.15 * kRadPerDeg,
                  kRig_mm = 0.3;  // errors of each camera's own pose from rig and lens
 // Coarse to fine: each level is searched until it has settled.
@@ -38,7 +34,8 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
   s.weight.assign(matches.size(), 1.0);
   s.residual.resize(matches.size());
   std::vector<double> distance(matches.size());
-  for (int round = 0; round < kPoseRounds; ++round) {
+  const double least_scale = settingsOf<SkinFieldModel>().field_least_scale;
+  for (int round = 0; round < kReweightings; ++round) {
     Matrix6d h = Matrix6d::Identity() * 1e-9;
     Vector6d g = Vector6d::Zero();
     for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -54,9 +51,9 @@ Solution solve(const std::vector<SkinMatch>& matches, const std::vector<Eigen::M
       s.residual[i] = matches[i].offset_px - matches[i].jacobian * s.xi;
       distance[i] = std::sqrt(std::max(0.0, s.residual[i].dot(precision[i] * s.residual[i])));
     }
-    s.scale = std::max(kLeastScale, upperMedian(distance) / 1.177);  // median length of a 2-D normal error
+    s.scale = std::max(least_scale, upperMedian(distance) / kMedianLength);
     for (std::size_t i = 0; i < matches.size(); ++i)
-      s.weight[i] = (kPoseFreedom + 2) / (kPoseFreedom + std::pow(distance[i] / s.scale, 2));
+      s.weight[i] = (kStudentFreedom + 2) / (kStudentFreedom + std::pow(distance[i] / s.scale, 2));
     if (round > 2 && (s.xi - before).norm() < 1e-6) break;
   }
   return s;
@@ -108,7 +105,7 @@ void compareSides(const SkinPoints& points, const std::vector<SkinMatch>& matche
   for (int c = 0; c < 2; ++c) {
     std::vector<SkinMatch> own;
     for (const auto& match : matches)
-      if (match.camera == c && points[std::size_t(match.point)].mobility_mm <= kUpperFace_mm)
+      if (match.camera == c && points[std::size_t(match.point)].mobility_mm <= SkinMobility::kUpperFace_mm)
         own.push_back(match);
     if (int(own.size()) < kFewestMatches) return;
     const auto precision = precisionOf(points, own);

@@ -7,15 +7,12 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/head_tracking/step_limits.h"
+#include "facenav/health/pair_diagnosis.h"
 
 namespace facenav::head_tracking {
 namespace {
 
 constexpr double kUsualRms_px = 0.2;  // of a calibration that does not state it
-// Two matches of one point, each off by 0.3 px (rig/health's kMatchSigma_px), scatter so across the line.
-constexpr double kMatchNoise_px = 0.42;
-constexpr double kSignificant = 3.0;   // standard errors
-constexpr double kMedianNoise = 1.25;  // standard error of a median divided by that of a mean
 
 // Signed distance of the right pixel from the left pixel's epipolar line, px of the right camera.
 double offLine_px(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px,
@@ -45,7 +42,9 @@ double limitOf(const EpipolarOffset& offset, double allowed_px) {
 }  // namespace
 
 double EpipolarOffset::size_px() const {
-  const double of_parts = std::max(0.0, spread_px * spread_px - kMatchNoise_px * kMatchNoise_px);
+  // Two matches of one point, each with its own error, scatter by twice its square across the line.
+  const double of_matches = 2.0 * health::kMatchSigma_px * health::kMatchSigma_px;
+  const double of_parts = std::max(0.0, spread_px * spread_px - of_matches);
   return std::sqrt(median_px * median_px + of_parts);
 }
 

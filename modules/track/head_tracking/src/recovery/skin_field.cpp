@@ -12,9 +12,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kMedianLength = 1.177;  // median length of a 2-D normal error, in its standard deviation
-constexpr double kNoPrior = 1e-9;        // weak prior of the head's motion
-constexpr int kFieldRounds = 12;
+constexpr double kNoPrior = 1e-9;  // weak prior of the head's motion
 
 // Influence of the nodes on each point's skin (rows: points; unit length). A node has three unknowns.
 Eigen::MatrixXd shares(const SkinPoints& points, const std::vector<SkinMatch>& matches) {
@@ -110,7 +108,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
   Eigen::VectorXd found = Eigen::VectorXd::Zero(seen.design.cols());
   Eigen::MatrixXd weighted(seen.design.rows(), seen.design.cols());
   SkinFieldPose pose;
-  for (int round = 0; round < kFieldRounds; ++round) {
+  for (int round = 0; round < kReweightings; ++round) {
     for (Eigen::Index i = 0; i < seen.count(); ++i)
       weighted.middleRows<2>(2 * i).noalias() =
           weight[std::size_t(i)] * seen.precision[std::size_t(i)] * seen.design.middleRows<2>(2 * i);
@@ -120,7 +118,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
     found = factor.solve(weighted.transpose() * seen.offset_px);
     if (!found.allFinite()) return std::nullopt;
     weight = weightsOf(seen, seen.offset_px - seen.design * found);
-    if (round == kFieldRounds - 1)
+    if (round == kReweightings - 1)
       pose.covariance = factor.solve(Eigen::MatrixXd::Identity(normal.rows(), 6)).topRows<6>();
   }
   pose.xi = found.head<6>();

@@ -18,6 +18,9 @@ struct SkinFieldPose {
   Matrix6d covariance = Matrix6d::Identity();  // covariance of xi
 };
 
+/// Iterations of reweighting, of this solution and of the one without a field.
+constexpr int kReweightings = 12;
+
 /// Solves for pose and skin motion. Returns nothing if the matches do not determine a pose.
 std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
                                                 const std::vector<SkinMatch>& matches);

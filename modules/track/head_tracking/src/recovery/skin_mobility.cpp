@@ -8,11 +8,12 @@ namespace {
 // Standard deviations by part, mm. Assumed, not fitted: a third of the landmark motion in the strongest posed
 // expressions (Cosker, Krumhuber, Hilton 2011, FACS-valid 3-D faces: mouth corners 5-15 mm, cheeks 2-5 mm,
 // brows 3-6 mm).
-constexpr double kBridge_mm = 0.25, kForehead_mm = 0.5, kTemple_mm = 0.5, kBrow_mm = 1.2, kEye_mm = 1.2;
-constexpr double kCheek_mm = 1.2, kNoseTip_mm = 0.6, kMouth_mm = 4.0;
-constexpr double kHair_mm = 3.0;                   // beyond the hairline, and in front of the ears
+constexpr double kBridge_mm = 0.25;
+constexpr double kFirm_mm = 0.5;  // forehead, temples, tip of the nose; and a face without landmarks
+constexpr double kSoft_mm = 1.2;  // brows, eyes, cheeks
+constexpr double kHair_mm = 3.0;  // beyond the hairline, and in front of the ears
+constexpr double kMouth_mm = 4.0;
 constexpr double kHairline = -0.75, kEars = 1.05;  // a forehead is as high as the nose is long (Farkas 1994)
-constexpr double kUnknown_mm = 0.6;                // all of the face then takes part in the identity check
 
 Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points, int first, int last) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -37,7 +38,7 @@ SkinMobility::SkinMobility(const face::FaceLandmarks& face) {
 // Part at a place, in units of the nose's length below the brows, and of the distance between the eyes from
 // the midline.
 SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
-  if (!is_known_) return {0, kUnknown_mm};
+  if (!is_known_) return {0, kFirm_mm};
   const Eigen::Vector2d d = px - bridge_px_, across(-down_.y(), down_.x());
   const double below = d.dot(down_) / nose_px_, sideways = d.dot(across) / eyes_px_;
   const double aside = std::abs(sideways);
@@ -46,14 +47,14 @@ SkinPart SkinMobility::at(const Eigen::Vector2d& px) const {
   };
   if (below > 1.08) return {1, kMouth_mm};
   if (below < kHairline || aside > kEars) return ofSide(12, kHair_mm);
-  if (below < -0.25) return {2, kForehead_mm};
+  if (below < -0.25) return {2, kFirm_mm};
   if (aside < 0.22)
-    return below < 0.1    ? SkinPart{2, kForehead_mm}
+    return below < 0.1    ? SkinPart{2, kFirm_mm}
            : below < 0.75 ? SkinPart{3, kBridge_mm}
-                          : SkinPart{0, kNoseTip_mm};
-  if (below < 0.15) return ofSide(4, kBrow_mm);
-  if (aside > 0.85 && below < 0.6) return ofSide(6, kTemple_mm);
-  return below < 0.55 ? ofSide(8, kEye_mm) : ofSide(10, kCheek_mm);
+                          : SkinPart{0, kFirm_mm};
+  if (below < 0.15) return ofSide(4, kSoft_mm);
+  if (aside > 0.85 && below < 0.6) return ofSide(6, kFirm_mm);
+  return below < 0.55 ? ofSide(8, kSoft_mm) : ofSide(10, kSoft_mm);
 }
 
 }  // namespace facenav::head_tracking

@@ -15,15 +15,11 @@ constexpr double kCells = 24.0;         // cells over the face's width; at most 
 constexpr double kWindowShare = 0.028;  // half window relative to the face's width: 8 mm of skin in all
 constexpr int kLeastHalf_px = 5;        // half side of a window, at any level
 constexpr double kLeastTexture_grey =
-    0.6;                              // texture limit along the weaker direction; its scale: see `least`
-constexpr double kLeastFacing = 0.3;  // cosine between view and normal
+    0.6;  // texture limit along the weaker direction; its scale: see `least`
 constexpr double kLeastCorrelation = 0.45;  // at the best place
 constexpr double kPlaceError_px = 0.25;     // in pixels of a level: error from sampling and shape
 constexpr double kIndependent_px2 = 12.0;   // area of correlated errors in compressed, smoothed images
-constexpr double kLeastUnlike = 0.02;       // least 1 - correlation^2 at the best place
-constexpr double kNearest_mm = 50.0;
-constexpr int kMarginWindows = 5;       // half windows kept around the face in a key frame
-constexpr int kColumns = 6, kRows = 7;  // regions of the face's box with correlated errors
+constexpr int kMarginWindows = 5;           // half windows kept around the face in a key frame
 
 const cameras::CameraModel& cameraOf(const cameras::StereoRig& rig, int c) {
   return c == 0 ? rig.left : rig.right;
@@ -67,8 +63,7 @@ std::optional<Peak> peakOf(const cv::Mat1f& map) {
 
 bool facesCamera(const SkinPoint& point, const Eigen::Isometry3d& camera_T_head) {
   const Eigen::Vector3d p_mm = camera_T_head * point.mm;
-  return p_mm.z() > kNearest_mm &&
-         -(camera_T_head.linear() * point.normal).dot(p_mm.normalized()) > kLeastFacing;
+  return p_mm.z() > 0 && -(camera_T_head.linear() * point.normal).dot(p_mm.normalized()) > kGrazing_cos;
 }
 
 // One camera with one pyramid level of its image.
@@ -114,10 +109,9 @@ std::optional<SkinMatch> findPoint(const SkinPoint& point, const Sight& before, 
   match.offset_px = (peak->at - Eigen::Vector2d::Constant(double(reach))) / scale;
   match.px = after_px / scale + match.offset_px;
   const double independent = double(window.total()) / kIndependent_px2;
-  match.covariance =
-      (std::max(kLeastUnlike, 1 - peak->value * peak->value) / independent * peak->curvature.inverse() +
-       kPlaceError_px * kPlaceError_px * Eigen::Matrix2d::Identity()) /
-      (scale * scale);
+  match.covariance = (std::max(0.0, 1 - peak->value * peak->value) / independent * peak->curvature.inverse() +
+                      kPlaceError_px * kPlaceError_px * Eigen::Matrix2d::Identity()) /
+                     (scale * scale);
   match.jacobian.rightCols<3>() = d_after * after.camera_T_head.linear();
   return match;
 }
@@ -179,14 +173,13 @@ SkinPoints::SkinPoints(const cameras::StereoRig& rig, const cameras::StereoFrame
       const SkinPart part = mobility.at(px);
       SkinPoint point{lift(px), down.cross(across).normalized(), part.sigma_mm, 0, part.number};
       if (!point.mm.allFinite() || !point.normal.allFinite()) continue;
-      point.region = std::clamp(int(kRows * (px.y() - box.y) / box.height), 0, kRows - 1) * kColumns +
-                     std::clamp(int(kColumns * (px.x() - box.x) / box.width), 0, kColumns - 1);
+      point.region = region.partAt(px);
       points_.push_back(point);
     }
   for (const auto& point : points_) centre_mm_ += point.mm / double(points_.size());
 }
 
-int SkinPoints::regionCount() const { return kColumns * kRows; }
+int SkinPoints::regionCount() const { return FaceRegion::kPartColumns * FaceRegion::kPartRows; }
 
 bool SkinPoints::isSeen(std::size_t i, int c, const SkinView& then, const cameras::StereoRig& rig,
                         const Eigen::Isometry3d& camera_T_head) const {
