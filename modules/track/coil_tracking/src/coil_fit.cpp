@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::coil_tracking {
 namespace {
 
 // Acceptance limits of a fit.
-constexpr double kMostRms_px = 0.6, kLeastInlierFraction = 0.6;
-constexpr double kMostShrink_px = 1.5;
+constexpr double kLeastInlierFraction = 0.6;
 constexpr double kMostRotationSigma_rad = 0.02, kMostTranslationSigma_mm = 1.5;
-constexpr double kMostDepth_mm = 5000.0;
 constexpr double kMostSizeSigma = 2.5e-3;  // with a larger error, the size does not constrain the depth
-constexpr int kReadComparisons = 40;       // work to read the pattern in both images
 // One image allows two starting poses. The second is skipped if it is out of question, or leads to the same
 // pose.
 constexpr double kOutOfQuestion = 2.0;  // times the spread
@@ -25,10 +24,10 @@ bool isPlausible(const CoilSetup& setup, const MarkerFit& fit, const std::vector
   if (has_inner_edges && fit.size_sigma > kMostSizeSigma) return false;
   const double rotation_variance = fit.covariance.diagonal().head<3>().maxCoeff();
   const double translation_variance = fit.covariance.diagonal().tail<3>().maxCoeff();
-  return fit.bias_px <= kMostBias_px && fit.rms_px <= kMostRms_px &&
-         fit.inlier_fraction >= kLeastInlierFraction && std::abs(fit.shrink_px[0]) <= kMostShrink_px &&
-         std::abs(fit.shrink_px[1]) <= kMostShrink_px && fit.centre_mm.z() >= kLeastDepth_mm &&
-         fit.centre_mm.z() <= kMostDepth_mm && std::sqrt(rotation_variance) <= kMostRotationSigma_rad &&
+  const double shrink_px = std::max(std::abs(fit.shrink_px[0]), std::abs(fit.shrink_px[1]));
+  return fit.bias_px <= kMostBias_px && fit.inlier_fraction >= kLeastInlierFraction &&
+         shrink_px <= kSignificant * kShrinkSigma_px && fit.centre_mm.z() >= kLeastDepth_mm &&
+         std::sqrt(rotation_variance) <= kMostRotationSigma_rad &&
          std::sqrt(translation_variance) <= kMostTranslationSigma_mm * fit.centre_mm.z() / 600.0;
 }
 
@@ -44,7 +43,7 @@ std::optional<CoilFit> finish(const CoilSetup& setup, const cameras::StereoFrame
   const auto fit = fitMarkers({setup.rig, frame, setup.motion}, seenOf(setup, markers), start, work);
   if (!fit || !isPlausible(setup, *fit, markers)) return std::nullopt;
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, fit->free_state, fit->centre_mm);
-  work.comparisons += kReadComparisons * int(markers.size());
+  work.comparisons += 2 * kMatchComparisons * int(markers.size());
   for (const std::size_t marker : markers)
     if (!isReadInBoth(setup, frame, marker, fit->free_state.camera_T_coil, right_T_left)) return std::nullopt;
   return CoilFit{*fit, markers};
@@ -64,7 +63,7 @@ CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& fra
   const Eigen::Isometry3d right_T_left = rightFromLeft(setup.rig, found.fit.free_state, found.fit.centre_mm);
   for (const std::size_t marker : markersInView(setup, found.fit.camera_T_coil)) {
     if (std::find(all.begin(), all.end(), marker) != all.end()) continue;
-    work.comparisons += kReadComparisons;
+    work.comparisons += 2 * kMatchComparisons;
     if (isReadInBoth(setup, frame, marker, found.fit.free_state.camera_T_coil, right_T_left))
       all.push_back(marker);
   }

@@ -68,8 +68,8 @@ class MarkerCoilTracker final : public CoilTracker {
   bool isMoving() const { return velocity_.tail<3>().norm() >= kResting_mm_s; }
   Tracked<CoilPose> accept(const CoilFit& solution);
   health::SquareObservation observationOf(const CoilFit& solution) const;
-  /// Covariance of a pose at these corners due to the calibration's uncertainty.
-  Matrix6d calibrationCovariance(const CoilToCamera& camera_T_coil);
+  /// Covariance of a pose at the observed corners due to the calibration's uncertainty.
+  Matrix6d calibrationCovariance() const;
 
   CoilSetup setup_;  // its rig includes the coil's motion between the exposures
   RigidTransform<RightCamera, Camera> right_T_left_;
@@ -92,8 +92,6 @@ class MarkerCoilTracker final : public CoilTracker {
   FrameWork work_;  // of the frame so far, including the head's
   std::optional<health::SquareObservation> observation_;
   cameras::RigUncertainty uncertainty_;
-  std::optional<CoilToCamera> calibration_at_;  // where calibration_covariance_ was computed last
-  Matrix6d calibration_covariance_ = Matrix6d::Zero();
 };
 
 void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& coil) {
@@ -104,7 +102,6 @@ void MarkerCoilTracker::start(const cameras::StereoRig& rig, const CoilModel& co
   for (const MarkerModel& marker : coil.markers) setup_.patterns.push_back(MarkerPattern::load(marker));
   uncertainty_ = cameras::uncertaintyOf(rig);
   edgeWeights(kMostTaps, 0.8);  // builds the table at start, not during a frame
-  calibration_at_.reset();
   last_.reset();
   before_.reset();
   surroundings_ = {};
@@ -303,14 +300,8 @@ health::SquareObservation MarkerCoilTracker::observationOf(const CoilFit& soluti
   return observation;
 }
 
-Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_coil) {
-  constexpr double kNear_mm = 20.0, kNear_rad = 0.2;  // it changes slowly with the pose
-  if (calibration_at_ &&
-      (calibration_at_->translation_mm() - camera_T_coil.translation_mm()).norm() < kNear_mm &&
-      rotationAngle(calibration_at_->rotation().transpose() * camera_T_coil.rotation()) < kNear_rad)
-    return calibration_covariance_;
-  calibration_at_ = camera_T_coil;
-  calibration_covariance_.setZero();
+Matrix6d MarkerCoilTracker::calibrationCovariance() const {
+  Matrix6d covariance = Matrix6d::Zero();
   const auto corners = [&](const cameras::StereoRig& rig) {
     std::vector<Eigen::Vector3d> points_mm;
     for (int i = 0; i < 4; ++i)
@@ -323,15 +314,15 @@ Matrix6d MarkerCoilTracker::calibrationCovariance(const CoilToCamera& camera_T_c
     const Eigen::Isometry3d motion = fitRigidPoints(nominal_mm, corners(rig)).to_T_from;
     Vector6d change;
     change << logRotation(motion.linear()), motion * centre_mm - centre_mm;
-    if (change.allFinite()) calibration_covariance_ += change * change.transpose();
+    if (change.allFinite()) covariance += change * change.transpose();
   }
-  return calibration_covariance_;
+  return covariance;
 }
 
 Tracked<CoilPose> MarkerCoilTracker::accept(const CoilFit& solution) {
   CoilPose pose;
   pose.camera_T_marker = solution.fit.camera_T_coil * setup_.coil.markers.front().coil_T_marker;
-  pose.covariance = solution.fit.covariance + calibrationCovariance(solution.fit.camera_T_coil);
+  pose.covariance = solution.fit.covariance + calibrationCovariance();
   pose.left_corners_px = observation_->left_px;
   pose.right_corners_px = observation_->right_px;
   const double fit_quality = 1.0 - solution.fit.bias_px / kMostBias_px;

@@ -10,8 +10,7 @@ namespace facenav::coil_tracking {
 namespace {
 
 // Work, in patch comparisons that take the same time (frame_work.h).
-constexpr int kShrunkPixelsPerComparison = 4000, kPixelsPerComparison = 900, kOutlinePointsPerComparison = 8,
-              kMatchComparisons = 20;
+constexpr int kShrunkPixelsPerComparison = 4000, kPixelsPerComparison = 900, kOutlinePointsPerComparison = 8;
 
 Quad inOrderOfPrint(const Quad& quad, int turns) {
   return {quad[turns % 4], quad[(turns + 1) % 4], quad[(turns + 2) % 4], quad[(turns + 3) % 4]};

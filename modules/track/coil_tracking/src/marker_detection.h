@@ -15,6 +15,9 @@ struct MarkerDetection {
   PatternMatch match;
 };
 
+/// Work to match one pattern in one image, in patch comparisons (frame_work.h).
+constexpr int kMatchComparisons = 20;
+
 /// The expected light. `dim` finds prints of low contrast. Each costs about the same.
 enum class MarkerLight { bright, dim, bright_else_dim };
 

@@ -10,12 +10,11 @@ namespace facenav::coil_tracking {
 namespace {
 
 // Priors of the fit. Those of pitch and roll are wide, because both are measured here.
-constexpr double kSizeSigma = 0.01, kShrinkSigma_px = 0.5, kTurnSigma_rad = 0.02;
+constexpr double kSizeSigma = 0.01, kTurnSigma_rad = 0.02;
 // Errors of pitch and roll after a good calibration. Pitch is measured so well that its prior has no effect.
 constexpr double kCalibratedPitch_rad = 5e-4, kCalibratedRoll_rad = 3.5e-4;
 constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in sigmas of an edge point
-constexpr int kFewestPoints = 12, kFewestSearched = 8;
-constexpr double kTukey = 4.685;
+constexpr int kFewestPoints = 8;                        // in each image
 constexpr int kFirstStride_px = 4, kFinestStride_px = 2, kMostPoints = 2400;
 constexpr int kPointsPerComparison = 6, kLinesPerComparison = 2;
 
@@ -62,7 +61,8 @@ void addPriors(const FitState& state, double scale, Normal& normal) {
 std::vector<Moments> momentsOf(const MarkerEdges& edges, double scale) {
   std::vector<Moments> moments(edges.lines.size());
   for (const EdgeSample& s : edges.samples) {
-    const double weight = tukey(s.residual_px / (kTukey * scale * s.sigma_px)) / (s.sigma_px * s.sigma_px);
+    const double weight =
+        tukey(s.residual_px / (kTukeyReach * scale * s.sigma_px)) / (s.sigma_px * s.sigma_px);
     if (weight == 0) continue;
     Moments& m = moments[s.line];
     double power = weight;
@@ -188,9 +188,9 @@ MarkerFit summarise(const EdgeView& view, const MarkerEdges& edges, const FitSta
                     const std::vector<SeenMarker>& markers) {
   MarkerFit fit;
   const double scale = std::max(kLeastScale, spread(edges.samples));
-  countInliers(edges, kTukey * scale, fit);
+  countInliers(edges, kTukeyReach * scale, fit);
   fit.bias_px = biasOfEdges(edges, 1e9).first;
-  const auto [bias_px, points_of_edge] = biasOfEdges(edges, kTukey * scale);
+  const auto [bias_px, points_of_edge] = biasOfEdges(edges, kTukeyReach * scale);
   const Normal normal = normalEquations(edges, state, scale);
   // Neighbouring points share the errors of lens, print and light at their edge. The spread of the edges'
   // means shows their size.
@@ -250,7 +250,7 @@ std::optional<OutlineFit> fitOutlines(const EdgeView& view, const std::vector<Se
   for (int search_px = start.search_px; search_px >= 2; search_px = search_px > 4 ? 4 : search_px - 2) {
     measureEdges(view, markers, fit.state, {6, true, search_px, {}}, edges);
     work.comparisons += workOf(edges);
-    if (!improve(markers, edges, kFewestSearched, kFirstScale, fit.state)) return std::nullopt;
+    if (!improve(markers, edges, kFewestPoints, kFirstScale, fit.state)) return std::nullopt;
   }
   fit.spread = spread(edges.samples);
   return fit;

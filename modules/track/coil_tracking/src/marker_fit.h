@@ -23,6 +23,9 @@ struct RowTimeEquations {
   Eigen::Vector2d right = Eigen::Vector2d::Zero();        // information * correction, 1/s
 };
 
+/// Prior of how far blur and gamma move an edge, standard deviation.
+constexpr double kShrinkSigma_px = 0.5;
+
 struct MarkerFit {
   RigidTransform<Camera, Coil> camera_T_coil;
   Matrix6d covariance;        // (rad, mm), increment in Camera about `centre_mm`

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kPattSamples = 16;              // ARToolKit's AR_PATT_SIZE
 constexpr double kLeastContrast_grey = 12.0;  // noise of a lower contrast looks like a pattern
-constexpr double kLeastLikenessBinary = 0.75, kLeastLikenessGrey = 0.6;
+constexpr double kLeastLikeness = 0.6;
 constexpr double kLeastTurnMargin = 0.08;  // least lead of a grey pattern's match over its own rotations
 
 cv::Mat_<float> dictionaryCells(const std::string& name, int id) {
@@ -233,7 +233,7 @@ std::optional<PatternMatch> MarkerPattern::match(const cv::Mat& grey, const Quad
   for (int turns = 1; turns < 4; ++turns)
     if (fits[turns].likeness > fits[best].likeness) best = turns;
   const LightFit& fit = fits[best];
-  if (fit.likeness < (is_binary_ ? kLeastLikenessBinary : kLeastLikenessGrey)) return std::nullopt;
+  if (fit.likeness < kLeastLikeness) return std::nullopt;
   if (!hasContrastEverywhere(fit)) return std::nullopt;
   if (is_binary_ && !everyCellFits(samples, cells_, best, fit)) return std::nullopt;
   for (int turns = 0; turns < 4; ++turns)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facenav/core/robust_statistics.h"
+
 namespace facenav::coil_tracking {
 namespace {
 
@@ -13,9 +15,8 @@ namespace {
 constexpr double kUnknown_s = 20e-3, kUnlike_s = 1.5e-3;
 constexpr double kStated_s = 4e-3;  // prior about the rig's value: it may be of another mode of the sensor
 // A measured read-out time replaces the rig's if its standard deviation is below kCertain_s (lower is safe),
-// and its difference from the rig's at least kDistinct standard deviations (higher is safe).
+// and its difference from the rig's significant.
 constexpr double kCertain_s = 3e-3;
-constexpr double kDistinct = 3.0;
 // Factor on earlier frames in each new one. The first frames are fitted with a wrong row time, which
 // falsifies the coil's speed a little, and with it their observations.
 constexpr double kKept = 0.98;
@@ -48,7 +49,7 @@ void RowTimeEstimate::applyTo(cameras::StereoRig& rig) const {
   const Eigen::Vector2d sigma_s = covariance.diagonal().cwiseSqrt(), off_s = (mean - stated_s_).cwiseAbs();
   const bool is_certain = sigma_s.maxCoeff() * rows_ < kCertain_s &&
                           mean.cwiseAbs().maxCoeff() * rows_ <= cameras::kLongestReadout_s &&
-                          (off_s - kDistinct * sigma_s).maxCoeff() > 0.0;
+                          (off_s - kSignificant * sigma_s).maxCoeff() > 0.0;
   // Both at once: with different row times in the two cameras the same rows lie apart, which looks like
   // depth.
   const Eigen::Vector2d& used_s = is_certain ? mean : stated_s_;
