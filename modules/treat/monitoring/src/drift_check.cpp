@@ -22,22 +22,16 @@ constexpr double kReach_mm = 12.0;
 constexpr double kPointError_px = 0.1;
 // Part of that error that the whole face shares. Evidence: resources/doc/evidence.md.
 constexpr double kCommonError_px = 0.06;
-constexpr double kDepthMargin_mm = 20.0;  // depth search range beyond the expected face
 constexpr std::size_t kMostSamples = 6000;
 constexpr std::size_t kFewestSamples = 400;
-// Smallest cosine between normal and view; near the face's outline, stereo mixes it with the background.
-constexpr double kLeastFacing = 0.4;
 constexpr int kTile_px = 32;  // stereo errors within a tile are correlated
 constexpr int kIterations = 10;
-constexpr double kBiweight = 4.685;  // 95 % efficiency for normal errors (Huber 1981)
 constexpr double kHalfFace_mm = 70.0;
 // Limits of an alarm, without the check's own error: less than half of a wrong pose (3 mm, 2 degrees).
 constexpr double kTolerated_mm = 1.2, kTolerated_deg = 0.8;
 // Largest movement of a head at rest between the alignment's picture and the reference; about the alignment's
 // own error. Evidence: resources/doc/evidence.md.
 constexpr double kStill_mm = 0.5, kStill_deg = 0.3;
-constexpr double kSurely = 3.0;  // margin beyond the limit for an alarm, in standard errors
-constexpr double kWorstSigma_mm = 1.0, kWorstSigma_deg = 0.8;  // a less certain result is `unknown`
 
 /// Sums of the normal equations, and each image tile's part of the gradient.
 struct Normal {
@@ -65,10 +59,10 @@ double spreadOf(std::vector<double>& lengths) {
 }
 
 DriftFinding::Verdict verdictOn(const DriftFinding& f, double tolerated_mm, double tolerated_deg) {
-  if (f.shift_mm > tolerated_mm + kSurely * f.shift_sigma_mm ||
-      f.turn_deg > tolerated_deg + kSurely * f.turn_sigma_deg)
+  if (f.shift_mm > tolerated_mm + kSignificant * f.shift_sigma_mm ||
+      f.turn_deg > tolerated_deg + kSignificant * f.turn_sigma_deg)
     return DriftFinding::Verdict::drifted;
-  const bool is_sharp = f.shift_sigma_mm < kWorstSigma_mm && f.turn_sigma_deg < kWorstSigma_deg;
+  const bool is_sharp = f.shift_sigma_mm < kTolerated_mm && f.turn_sigma_deg < kTolerated_deg;
   return is_sharp ? DriftFinding::Verdict::agrees : DriftFinding::Verdict::unknown;
 }
 
@@ -175,11 +169,11 @@ std::optional<DriftCheck::Offset> DriftCheck::offsetOf(const std::vector<Sample>
       const auto skin = scalp_->fine((mri_T_head_ * p_mm).cast<float>());
       if (!(std::abs(skin.distance_mm) < float(kReach_mm))) continue;
       const Eigen::Vector3d outward = mri_T_head_.linear().transpose() * skin.gradient.cast<double>();
-      if (outward.dot(eye_mm - p_mm) < kLeastFacing * (eye_mm - p_mm).norm()) continue;
+      if (outward.dot(eye_mm - p_mm) < kObliqueSkin_cos * (eye_mm - p_mm).norm()) continue;
       const double off_mm = double(skin.distance_mm) - sample.misfit_mm;
       const double distance = off_mm / sample.sigma_mm;
       sums.distances.push_back(std::abs(distance));
-      const double q = std::pow(distance / (kBiweight * scale), 2);
+      const double q = std::pow(distance / (kTukeyReach * scale), 2);
       if (q >= 1) continue;
       const double weight = (1 - q) * (1 - q) / (sample.sigma_mm * sample.sigma_mm);
       Vector6d j;

@@ -6,11 +6,6 @@
 #include "facenav/core/error.h"
 
 namespace facenav::monitoring {
-namespace {
-
-constexpr int kDriftedForAlarm = 2;  // checks in a row
-
-}  // namespace
 
 DriftWatchdog::Checks::Work DriftWatchdog::workOf(Measure measure) {
   FACENAV_EXPECT(bool(measure), "something must measure");
@@ -19,8 +14,7 @@ DriftWatchdog::Checks::Work DriftWatchdog::workOf(Measure measure) {
   };
 }
 
-DriftWatchdog::DriftWatchdog(Measure measure, Mode mode)
-    : checks_(workOf(std::move(measure)), mode, kAnswer_s) {}
+DriftWatchdog::DriftWatchdog(Measure measure, Mode mode) : checks_(workOf(std::move(measure)), mode) {}
 
 bool DriftWatchdog::isDue(double captured_s) const {
   if (checks_.isBusy()) return false;
@@ -34,7 +28,7 @@ void DriftWatchdog::take(const Answer& answer) {
   using Verdict = DriftFinding::Verdict;
   if (finding_.verdict == Verdict::drifted) ++drifted_in_row_;
   if (finding_.verdict == Verdict::agrees) drifted_in_row_ = 0, is_alarmed_ = false;
-  if (drifted_in_row_ >= kDriftedForAlarm) is_alarmed_ = true;
+  if (drifted_in_row_ >= kLeastAgreeing) is_alarmed_ = true;
   interval_s_ = drifted_in_row_ > 0 || is_alarmed_ ? kRecheck_s : kInterval_s;
 }
 

@@ -6,10 +6,6 @@ namespace {
 using Reason = Withheld::Reason;
 using Source = Withheld::Source;
 
-// Largest motion between the exposures at which the watchdog measures. Its dense measurement does not correct
-// for that time and turns sideways motion into about five times as much depth.
-constexpr double kMostBetweenExposures_mm = 0.2;
-
 }  // namespace
 
 bool PoseTrust::checkRegistration(bool is_withheld_until) {

@@ -11,8 +11,6 @@
 namespace facenav::monitoring {
 namespace {
 
-constexpr double kBetween_s = 0.2;  // time between measurements
-
 DriftWatchdog::Checks::Work measuring(DriftWatchdog::Measure measure) {
   FACENAV_EXPECT(bool(measure), "something must measure");
   return [measure = std::move(measure)](const DriftWatchdog::Question& question) {
@@ -53,7 +51,7 @@ RegistrationFinding findingOf(const std::vector<DriftFinding>& measurements) {
 }
 
 RegistrationCheck::RegistrationCheck(DriftWatchdog::Measure measure, DriftWatchdog::Mode mode)
-    : checks_(measuring(std::move(measure)), mode, DriftWatchdog::kAnswer_s) {}
+    : checks_(measuring(std::move(measure)), mode) {}
 
 void RegistrationCheck::begin() {
   is_running_ = true;
@@ -80,7 +78,9 @@ void RegistrationCheck::add(std::shared_ptr<const cameras::StereoFrame> frame,
     done_->number = ++number_;
     return;
   }
-  if (!camera_T_mri || checks_.isBusy() || (asked_s_ && std::abs(now_s - *asked_s_) < kBetween_s)) return;
+  if (!camera_T_mri || checks_.isBusy() ||
+      (asked_s_ && std::abs(now_s - *asked_s_) < DriftWatchdog::kRecheck_s))
+    return;
   asked_s_ = now_s;
   checks_.ask(
       std::make_shared<DriftWatchdog::Question>(DriftWatchdog::Question{std::move(frame), *camera_T_mri}),

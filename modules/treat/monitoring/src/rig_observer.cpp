@@ -9,8 +9,6 @@ namespace facenav::monitoring {
 namespace {
 
 constexpr std::size_t kFirstFeatures = 8, kLaterFeatures = 2;  // number of features matched in a frame
-// Largest head motion between the exposures; more would look like a rotation of the camera.
-constexpr double kMostAsRotation_mm = 0.1;
 
 }  // namespace
 
@@ -29,7 +27,7 @@ health::RigObservation RigObserver::observe(const cameras::StereoFrame& frame,
   seen.sees_face = true;
   seen.face_centre = head->face_centre;
   seen.right_camera = head->right_camera;
-  if (head->features.empty() || head->between_exposures_mm >= kMostAsRotation_mm) return seen;
+  if (head->features.empty() || head->between_exposures_mm >= kMostBetweenExposures_mm) return seen;
   const std::size_t most = std::min(head->features.size(), is_first ? kFirstFeatures : kLaterFeatures);
   for (std::size_t i = 0; i < most; ++i) {
     const auto& feature = head->features[next_feature_++ % head->features.size()];

@@ -17,7 +17,6 @@ constexpr double kSample_mm = 4.0;
 constexpr std::size_t kFewestSkin = 40;  // sampled points: a patch of about 6 cm2
 constexpr std::size_t kFewestPoints = 300;
 constexpr double kAbovePlate_mm = 4.0;  // anything higher than the plate is the coil or a hand
-constexpr double kFacing = 0.45;        // cosine; oblique skin is measured poorly
 constexpr int kMargin_px = 12, kLeastBox_px = 40;
 constexpr double kTile_mm = 8.0;  // stereo errors within such a patch are correlated
 
@@ -98,7 +97,7 @@ SurfaceBesideCoil::Band SurfaceBesideCoil::bandOf(const RigidTransform<Camera, M
     if (p_coil_mm.z() > 2 * kFarthest_mm || !isBeside(p_coil_mm)) continue;
     const Eigen::Vector3d p_mm = pose * skin.points_mm[i], normal = pose.linear() * skin.normals[i];
     const auto faces = [&](const Eigen::Vector3d& eye_mm) {
-      return normal.dot(eye_mm - p_mm) > kFacing * (eye_mm - p_mm).norm();
+      return normal.dot(eye_mm - p_mm) > kObliqueSkin_cos * (eye_mm - p_mm).norm();
     };
     if (!faces(Eigen::Vector3d::Zero()) || !faces(right_eye_mm) || !isInBoth(p_mm)) continue;
     band.skin_mm.push_back(p_mm);
@@ -118,14 +117,13 @@ SurfaceBesideCoil::Band SurfaceBesideCoil::bandOf(const RigidTransform<Camera, M
 BesideCoilFinding SurfaceBesideCoil::measure(const cameras::StereoFrame& frame,
                                              const RigidTransform<Camera, Mri>& camera_T_mri,
                                              const RigidTransform<Camera, Coil>& camera_T_coil) const {
-  constexpr double kMargin_mm = 25.0;  // depth search range beyond the expected skin
   const Band band = bandOf(camera_T_mri, camera_T_coil);
   if (band.skin_mm.size() < kFewestSkin || band.box.width < kLeastBox_px || band.box.height < kLeastBox_px)
     return unseen("no skin beside the coil faces both cameras");
   auto options = stereo::plainFaceOptions();
   options.left_roi = band.box;
-  options.nearest_mm = std::max(50.0, band.nearest_mm - kMargin_mm);
-  options.farthest_mm = band.farthest_mm + kMargin_mm;
+  options.nearest_mm = std::max(50.0, band.nearest_mm - kDepthMargin_mm);
+  options.farthest_mm = band.farthest_mm + kDepthMargin_mm;
   options.match.smallest_patch_px = 300;
   stereo::FaceCloud cloud;
   try {
@@ -146,7 +144,7 @@ BesideCoilFinding SurfaceBesideCoil::measure(const cameras::StereoFrame& frame,
     if (!(std::abs(skin.distance_mm) < float(kReach_mm))) continue;
     const Eigen::Vector3d outward = mri_T_camera.linear().transpose() * skin.gradient.cast<double>();
     const double facing = -outward.dot(p_mm) / p_mm.norm();
-    if (facing < kFacing) continue;
+    if (facing < kObliqueSkin_cos) continue;
     heights_mm.push_back(skin.distance_mm);
     const Eigen::Vector3d tile = (p_mm / kTile_mm).array().floor();
     ++tiles[{int(tile.x()), int(tile.y()), int(tile.z())}];
@@ -160,9 +158,9 @@ BesideCoilFinding SurfaceBesideCoil::measure(const cameras::StereoFrame& frame,
   finding.points = int(heights_mm.size());
   finding.above_skin_mm = median(heights_mm);
   for (double& height : heights_mm) height = std::abs(height - finding.above_skin_mm);
-  const double spread_mm = 1.4826 * median(heights_mm);
+  const double spread_mm = kSigmaPerMad * median(heights_mm);
   finding.sigma_mm =
-      std::hypot(common_mm / finding.points, 1.2533 * spread_mm / std::sqrt(double(tiles.size())));
+      std::hypot(common_mm / finding.points, kMedianNoise * spread_mm / std::sqrt(double(tiles.size())));
   return finding;
 }
 
@@ -172,7 +170,7 @@ BesideCoilWatch::BesideCoilWatch(Measure measure, Mode mode)
             return Answer{question.frame->captured.s,
                           question.camera_T_mri.inverse() * question.camera_T_coil, measure(question)};
           },
-          mode, kAnswer_s) {}
+          mode) {}
 
 void BesideCoilWatch::add(std::shared_ptr<const cameras::StereoFrame> frame,
                           const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri,
@@ -185,7 +183,7 @@ void BesideCoilWatch::add(std::shared_ptr<const cameras::StereoFrame> frame,
   if (answer_ && std::abs(now_s - answer_->captured_s) < kHolds_s &&
       (mri_T_coil.translation_mm() - answer_->mri_T_coil.translation_mm()).norm() < kHolds_mm)
     shown_ = answer_->finding;
-  const bool is_due = !asked_s_ || std::abs(now_s - *asked_s_) >= kInterval_s;
+  const bool is_due = !asked_s_ || std::abs(now_s - *asked_s_) >= DriftWatchdog::kInterval_s;
   if (!is_due || checks_.isBusy()) return;
   asked_s_ = now_s;
   checks_.ask(std::make_shared<const Question>(Question{std::move(frame), *camera_T_mri, *camera_T_coil}),

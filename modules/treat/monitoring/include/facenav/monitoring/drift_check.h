@@ -20,6 +20,11 @@
 
 namespace facenav::monitoring {
 
+/// Smallest cosine between normal and view; near the face's outline, stereo mixes it with the background.
+constexpr double kObliqueSkin_cos = 0.4;
+/// Depth search range beyond the expected skin.
+constexpr double kDepthMargin_mm = 20.0;
+
 struct DriftFinding {
   enum class Verdict { agrees, drifted, unknown };  // unknown: too few points on the face
   Verdict verdict = Verdict::unknown;

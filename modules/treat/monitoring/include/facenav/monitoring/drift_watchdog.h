@@ -12,6 +12,9 @@
 
 namespace facenav::monitoring {
 
+/// Checks that must agree before they decide.
+constexpr int kLeastAgreeing = 2;
+
 class DriftWatchdog {
  public:
   using Measure = std::function<DriftFinding(const cameras::StereoFrame& frame,
@@ -29,7 +32,6 @@ class DriftWatchdog {
 
   static constexpr double kInterval_s = 1.0;
   static constexpr double kRecheck_s = 0.25;  // after an uncertain result, or after the head was lost
-  static constexpr double kAnswer_s = 0.1;    // inline: delay from the frame's capture to the result
 
   DriftWatchdog(Measure measure, Mode mode);
 

@@ -51,7 +51,6 @@ std::string inWords(const RegistrationFinding& finding);
 /// Majority of the measurements: at least `kLeastAgreeing` that agree and more than have drifted, or the
 /// reverse.
 RegistrationFinding findingOf(const std::vector<DriftFinding>& measurements);
-constexpr int kLeastAgreeing = 2;
 
 class RegistrationCheck {
  public:

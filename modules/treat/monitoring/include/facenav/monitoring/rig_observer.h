@@ -9,6 +9,11 @@
 
 namespace facenav::monitoring {
 
+/// Largest motion of the head between the exposures at which stereo is trusted: more
+/// would look like a rotation of the camera, and the dense measurement turns it into five times as much
+/// depth.
+constexpr double kMostBetweenExposures_mm = 0.1;
+
 class RigObserver {
  public:
   /// Makes the observation of a frame; call it for each frame in turn.

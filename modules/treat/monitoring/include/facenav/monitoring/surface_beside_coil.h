@@ -15,6 +15,7 @@
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
 #include "facenav/core/later_answer.h"
+#include "facenav/monitoring/drift_watchdog.h"
 #include "facenav/registration/scalp_field.h"
 
 namespace facenav::monitoring {
@@ -75,7 +76,6 @@ class BesideCoilWatch {
   using Checks = LaterAnswer<Question, Answer>;
   using Mode = Checks::Mode;
 
-  static constexpr double kInterval_s = 1.0, kAnswer_s = 0.1;
   static constexpr double kHolds_s = 4.0, kHolds_mm = 10.0;  // limits after which a finding is dropped
 
   BesideCoilWatch(Measure measure, Mode mode);
