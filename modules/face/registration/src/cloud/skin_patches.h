@@ -8,6 +8,9 @@
 
 namespace facenav::registration {
 
+/// Edge of the patches that the model of misfits counts.
+constexpr double kModelPatch_mm = 12.0;
+
 struct SkinPatch {
   Eigen::Vector3d at_mri_mm = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
   Vector6d jacobian = Vector6d::Zero();  // of the residual by (turn, shift) of mri_T_camera about the pivot
@@ -18,7 +21,7 @@ struct SkinPatch {
 };
 
 struct PatchLimits {
-  double size_mm = 12.0;
+  double size_mm = kModelPatch_mm;
   double inside_mm = 1.5, outside_mm = 1.5;  // larger residuals are not skin
 };
 

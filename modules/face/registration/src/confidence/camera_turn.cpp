@@ -5,6 +5,7 @@
 
 #include "cloud/cloud_sampling.h"
 #include "facenav/core/error.h"
+#include "facenav/core/robust_statistics.h"
 #include "fit/robust_fit.h"
 #include "fit/skin_likelihood.h"
 #include "search/start_search.h"
@@ -28,8 +29,7 @@ constexpr double kLongestStep_rad = 0.15 * kRadPerDeg, kMostTurn_rad = 0.6 * kRa
 /// size, a scan at another scale), and a mean could hide a turn. Then the one that is more standard errors
 /// from zero is used.
 CameraTurn fused(const CameraTurn& a, const CameraTurn& b) {
-  constexpr double kContradiction = 3.0;  // in standard errors
-  if (std::abs(a.rad - b.rad) > kContradiction * std::hypot(a.sigma_rad, b.sigma_rad))
+  if (std::abs(a.rad - b.rad) > kSignificant * std::hypot(a.sigma_rad, b.sigma_rad))
     return std::abs(a.rad) * b.sigma_rad > std::abs(b.rad) * a.sigma_rad ? a : b;
   const double of_a = 1.0 / (a.sigma_rad * a.sigma_rad), of_b = 1.0 / (b.sigma_rad * b.sigma_rad);
   return {(of_a * a.rad + of_b * b.rad) / (of_a + of_b), 1.0 / std::sqrt(of_a + of_b)};

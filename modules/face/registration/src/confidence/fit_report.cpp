@@ -16,7 +16,6 @@
 namespace facenav::registration {
 namespace {
 
-constexpr double kModelPatch_mm = 12.0;
 constexpr double kLeastCovered = 0.65;  // patches with a lower share lie at the edge of hair or coil
 
 std::vector<SkinPatch> coveredPatches(const ScalpField& scalp, const FieldFitter& fitter,

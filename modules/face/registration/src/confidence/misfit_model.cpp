@@ -35,7 +35,6 @@ struct LinearModel {
 /// Rotations are multiplied by this lever, so that all six columns have similar size.
 constexpr double kLever_mm = 100.0;
 constexpr double kTurn_rad = 0.1 * kRadPerDeg;  // one unit of the turn's column
-constexpr double kPatch_mm = 12.0;
 // Number of patches and of shapes in the estimate of the field. Fewer patches determine the shape too poorly.
 constexpr std::size_t kShapePatches = 150, kMostShapes = 6;
 
@@ -230,13 +229,12 @@ void dropOutliers(LinearModel& model, const Plausible& likeliest) {
 MatrixXd workingEstimator(const LinearModel& model) {
   const MisfitPrior& prior = settingsOf<MisfitPrior>();
   const double offset_mm = prior.working_offset_mm, scale = prior.working_scale;
-  constexpr int kUnknowns = LinearModel::kResidual;  // pose, offset, scale
   const Eigen::VectorXf field_mm =
       (prior.working_field_mm * (1.0 + (prior.working_soft - 1.0) * model.softness.array())).cast<float>();
   Eigen::MatrixXf k =
       field_mm.asDiagonal() * maternOf(model.distance_mm, prior.working_reach_mm) * field_mm.asDiagonal();
   k.diagonal() += model.noise2.cast<float>();  // well conditioned, so single precision is enough
-  const MatrixXd design = model.columns.leftCols<kUnknowns>();
+  const MatrixXd design = model.columns.leftCols<LinearModel::kResidual>();
   const MatrixXd weighted = k.llt().solve(design.cast<float>()).cast<double>();
   MatrixXd information = design.transpose() * weighted;
   information(LinearModel::kOffset, LinearModel::kOffset) += 1 / (offset_mm * offset_mm);
@@ -325,7 +323,7 @@ PosePosterior posteriorOf(const std::vector<SkinPatch>& patches, const anatomy::
   // The field's size is estimated from a limited number of independent values: the face divided by its reach.
   // The error therefore has Student's t distribution, which is wider than the plug-in covariance.
   posterior.freedom =
-      std::clamp(double(patches.size()) * std::pow(kPatch_mm / posterior.reach_mm, 2), 5.0, 60.0);
+      std::clamp(double(patches.size()) * std::pow(kModelPatch_mm / posterior.reach_mm, 2), 5.0, 60.0);
   const double tails = posterior.freedom / (posterior.freedom - 2.0);
   posterior.covariance = tails * posterior.covariance + covarianceBySight(patches, model, estimator, seen);
   const FieldShape& likeliest = shapes.front().shape;

@@ -133,12 +133,12 @@ inline Samples coarse(const FieldGrids& grids, const Vector& at_mm) {
 }
 
 inline Samples fine(const FieldGrids& grids, const Vector& at_mm) {
-  constexpr int kBrick = FieldGrids::kBrick, kSide = FieldGrids::kSide;
-  static_assert(kBrick == 4, "cells within a brick are the last two bits");
+  static_assert(FieldGrids::kBrick == 4, "cells within a brick are the last two bits");
   constexpr float kPer_mm = 1.0f / FieldGrids::kFine_mm;
   const Vector u = inGrid(grids, at_mm, kPer_mm);
   const int* size = grids.brick_size;
-  const int cells[3] = {kBrick * size[0], kBrick * size[1], kBrick * size[2]};
+  const int cells[3] = {FieldGrids::kBrick * size[0], FieldGrids::kBrick * size[1],
+                        FieldGrids::kBrick * size[2]};
   const __m256 is_inside = within(u, cells);
   const Cells at(u, is_inside);
   const auto brickOf = [](__m256i cell) { return _mm256_srli_epi32(cell, 2); };
@@ -148,11 +148,12 @@ inline Samples fine(const FieldGrids& grids, const Vector& at_mm) {
   const __m256 has_brick = _mm256_castsi256_ps(_mm256_cmpgt_epi32(brick, splat(-1)));
   const int found = _mm256_movemask_ps(has_brick);
   if (found == 0) return coarse(grids, at_mm);
-  const auto cellOf = [](__m256i cell) { return _mm256_and_si256(cell, splat(kBrick - 1)); };
-  const __m256i node = _mm256_add_epi32(indexOf(cellOf(at.i), cellOf(at.j), cellOf(at.k), kSide, kSide),
-                                        _mm256_mullo_epi32(brick, splat(FieldGrids::kBrickNodes)));
-  Samples out = interpolate(grids.bricks, _mm256_and_si256(node, _mm256_castps_si256(has_brick)), kSide,
-                            kSide * kSide, at.f, kPer_mm);
+  const auto cellOf = [](__m256i cell) { return _mm256_and_si256(cell, splat(FieldGrids::kBrick - 1)); };
+  const __m256i node = _mm256_add_epi32(
+      indexOf(cellOf(at.i), cellOf(at.j), cellOf(at.k), FieldGrids::kSide, FieldGrids::kSide),
+      _mm256_mullo_epi32(brick, splat(FieldGrids::kBrickNodes)));
+  Samples out = interpolate(grids.bricks, _mm256_and_si256(node, _mm256_castps_si256(has_brick)),
+                            FieldGrids::kSide, FieldGrids::kSide * FieldGrids::kSide, at.f, kPer_mm);
   if (found == 0xff) return out;
   const Samples beyond = coarse(grids, at_mm);
   out.distance_mm = _mm256_blendv_ps(beyond.distance_mm, out.distance_mm, has_brick);

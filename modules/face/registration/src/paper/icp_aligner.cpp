@@ -12,6 +12,7 @@
 #include "cloud/cloud_sampling.h"
 #include "confidence/fit_report.h"
 #include "field/nearest_skin.h"
+#include "field/point_kernel.h"
 #include "fit/robust_fit.h"
 
 namespace facenav::registration {
@@ -36,7 +37,8 @@ class ClosestSeenPairs : public pcl::registration::CorrespondenceRejector {
     is_seen_.resize(skin.size());
     for (std::size_t v = 0; v < skin.size(); ++v)
       is_seen_[v] = !scalp_.nearest().isOnBorder(int(v)) &&
-                    skin.normals[v].dot((camera_mri_mm - skin.points_mm[v]).normalized()) >= kGrazing_cos;
+                    skin.normals[v].dot((camera_mri_mm - skin.points_mm[v]).normalized()) >=
+                        double(point::kGrazing_cos);
   }
 
   void getRemainingCorrespondences(const pcl::Correspondences& all, pcl::Correspondences& kept) override {
@@ -60,8 +62,7 @@ class ClosestSeenPairs : public pcl::registration::CorrespondenceRejector {
   double cost_mm2() const { return cost_mm2_; }
 
  private:
-  static constexpr double kKept = 0.7;          // hair covers up to a third of the visible head
-  static constexpr double kGrazing_cos = 0.12;  // skin at a flatter angle to the view has no counterpart
+  static constexpr double kKept = 0.7;  // hair covers up to a third of the visible head
 
   void applyRejection(pcl::Correspondences& kept) override {
     getRemainingCorrespondences(*input_correspondences_, kept);

@@ -102,8 +102,8 @@ inline FieldSample interpolate(const float* c, int sy, int sz, const Eigen::Vect
 }
 
 inline FieldSample sampleCoarse(const FieldGrids& grids, const Eigen::Vector3f& p) {
-  constexpr float kSpacing_mm = FieldGrids::kCoarse_mm;
-  const Eigen::Vector3f at = (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / kSpacing_mm);
+  const Eigen::Vector3f at =
+      (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / FieldGrids::kCoarse_mm);
   const int* size = grids.coarse_size;
   // This form treats a NaN position as outside.
   if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < float(size[0] - 1) &&
@@ -112,26 +112,28 @@ inline FieldSample sampleCoarse(const FieldGrids& grids, const Eigen::Vector3f& 
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
   const int sy = size[0], sz = size[0] * size[1];
   return interpolate(grids.coarse + std::size_t(i) + std::size_t(sy) * j + std::size_t(sz) * k, sy, sz,
-                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kSpacing_mm);
+                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, FieldGrids::kCoarse_mm);
 }
 
 inline FieldSample sampleFine(const FieldGrids& grids, const Eigen::Vector3f& p) {
-  constexpr int kBrick = FieldGrids::kBrick, kSide = FieldGrids::kSide;
-  constexpr float kSpacing_mm = FieldGrids::kFine_mm, kMost = 1e6f;
-  const Eigen::Vector3f at = (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / kSpacing_mm);
+  const Eigen::Vector3f at =
+      (p - Eigen::Map<const Eigen::Vector3f>(grids.origin_mm)) * (1.0f / FieldGrids::kFine_mm);
   const int* size = grids.brick_size;
-  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < kMost && at.y() < kMost &&
-        at.z() < kMost))
+  if (!(at.x() >= 0.0f && at.y() >= 0.0f && at.z() >= 0.0f && at.x() < FieldGrids::kFar_mm &&
+        at.y() < FieldGrids::kFar_mm && at.z() < FieldGrids::kFar_mm))
     return {FieldGrids::kFar_mm, Eigen::Vector3f::UnitZ()};
   const int i = int(at.x()), j = int(at.y()), k = int(at.z());
-  const int a = i / kBrick, b = j / kBrick, c = k / kBrick;
+  const int a = i / FieldGrids::kBrick, b = j / FieldGrids::kBrick, c = k / FieldGrids::kBrick;
   if (a >= size[0] || b >= size[1] || c >= size[2]) return sampleCoarse(grids, p);
   const std::int32_t brick =
       grids.brick_at[std::size_t(a) + std::size_t(size[0]) * (b + std::size_t(size[1]) * c)];
   if (brick < 0) return sampleCoarse(grids, p);
-  const int node = (i - a * kBrick) + kSide * ((j - b * kBrick) + kSide * (k - c * kBrick));
-  return interpolate(grids.bricks + std::size_t(brick) * FieldGrids::kBrickNodes + std::size_t(node), kSide,
-                     kSide * kSide, {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, kSpacing_mm);
+  const int node =
+      (i - a * FieldGrids::kBrick) +
+      FieldGrids::kSide * ((j - b * FieldGrids::kBrick) + FieldGrids::kSide * (k - c * FieldGrids::kBrick));
+  return interpolate(grids.bricks + std::size_t(brick) * FieldGrids::kBrickNodes + std::size_t(node),
+                     FieldGrids::kSide, FieldGrids::kSide * FieldGrids::kSide,
+                     {at.x() - float(i), at.y() - float(j), at.z() - float(k)}, FieldGrids::kFine_mm);
 }
 
 inline FieldSample ScalpField::coarse(const Eigen::Vector3f& p) const { return sampleCoarse(grids_, p); }
