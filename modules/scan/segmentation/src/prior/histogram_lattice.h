@@ -13,6 +13,8 @@
 namespace facenav::segmentation {
 
 constexpr int kHistogramBins = 32;
+constexpr float kPseudoVoxels = 4;  // pseudo-count per bin, against chance
+constexpr float kMostRatio = 3;     // limit of a log likelihood ratio
 using Histogram = std::array<float, kHistogramBins>;
 
 /// Smooths neighbouring bins by 1-2-1.

@@ -14,19 +14,17 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
-constexpr float kPseudoCount = 4;  // pseudo-count of voxels per bin, against chance
-constexpr float kMostEvidence = 3;
 constexpr float kSure_mm = 0.5f;  // voxels nearer to the outline than this are samples of neither side
 
 /// Replaces `inside` by the log ratio of the two sides.
 void compare(HistogramLattice& inside, const HistogramLattice& outside) {
   for (std::size_t n = 0; n < inside.count(); ++n) {
     const Histogram in = smoothedBins(inside[n]), out = smoothedBins(outside[n]);
-    float ins = kPseudoCount * kHistogramBins, outs = ins;
+    float ins = kPseudoVoxels * kHistogramBins, outs = ins;
     for (int b = 0; b < kHistogramBins; ++b) ins += in[b], outs += out[b];
     for (int b = 0; b < kHistogramBins; ++b)
-      inside[n][b] = std::clamp(std::log((in[b] + kPseudoCount) / ins * outs / (out[b] + kPseudoCount)),
-                                -kMostEvidence, kMostEvidence);
+      inside[n][b] = std::clamp(std::log((in[b] + kPseudoVoxels) / ins * outs / (out[b] + kPseudoVoxels)),
+                                -kMostRatio, kMostRatio);
   }
 }
 

@@ -11,7 +11,7 @@ namespace facenav::segmentation {
 namespace {
 
 constexpr std::array<int, 3> kChannels{48, 64, 64};
-constexpr int kFolded = 8, kBlocksPerLevel = 2, kTaps = 27;
+constexpr int kFolded = 8, kBlocksPerLevel = 2;
 constexpr float kSlope = 0.1f, kLeastVariance = 1e-5f;  // network.py, torch's InstanceNorm3d
 
 /// Reads the tensors one after the other.
@@ -50,7 +50,7 @@ Features convolved(const Features& in, const PriorTensor& weights) {
   Features out(in.size, weights.size[0]);
   convolution::Task all{};
   all.weights = ordered.data(), all.inputs = in.channels, all.outputs = out.channels, all.taps = taps;
-  for (int t = 0; taps == kTaps && t < taps; ++t)
+  for (int t = 0; taps == convolution::kMostTaps && t < taps; ++t)
     all.shift[t] = in.row(t / 9 - 1, t / 3 % 3 - 1, t % 3 - 1) - in.row(0, 0, 0);
   volume::forSlices(in.size[0], [&](int x) {
     convolution::Task slice = all;

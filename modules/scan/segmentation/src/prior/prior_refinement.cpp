@@ -17,7 +17,6 @@ using volume::Mask;
 using volume::Volume;
 
 constexpr double kMargin_mm = 14;
-constexpr float kSureLogOdds = 6;
 
 Mask whole(const Mask& brain, const PriorUse& use) {
   const Mask closed = fillHoles(close(brain, use.sulcus_mm));
@@ -142,7 +141,7 @@ RefinedPrior refinedByTissue(const Volume& working, const BrainPrior& prior, con
     if (std::abs(from_outline[v]) < use.other_reach_mm)
       refined.mask.voxels[v] = log_odds[v] > 0;
     else
-      log_odds[v] = refined.outline.voxels[v] ? kSureLogOdds : -kSureLogOdds;
+      log_odds[v] = refined.outline.voxels[v] ? kMostLogOdds : -kMostLogOdds;
   }
   refined.mask = whole(refined.mask, use);
   refined.doubts = scoresOf(refined, shares.brain, log_odds);

@@ -13,10 +13,7 @@ namespace {
 
 using volume::Volume;
 
-constexpr float kMostLogOdds = 6;
-constexpr float kMostRatio = 3;  // limit of the log likelihood ratio
 constexpr int kLatticeSmoothings = 2, kRatioSmoothings = 1;
-constexpr float kPseudoVoxels = 4;  // pseudo-count per bin, against chance
 // Least shares of the two other classes: open sulci deep in the prior's outline contain fluid, but nothing
 // else but brain. Chosen by judgement.
 constexpr float kLeastFluid = 0.1f, kLeastOther = 0.002f;

@@ -10,6 +10,9 @@
 
 namespace facenav::segmentation {
 
+/// Limit of the log odds of a voxel.
+constexpr float kMostLogOdds = 6;
+
 /// Shares of the classes on one grid of cubic voxels; what is left to 1 is neither.
 struct TissueShares {
   volume::Volume brain, fluid;
@@ -20,7 +23,7 @@ struct TissueShares {
 std::vector<float> tissueLogOdds(const volume::Volume& image, const TissueShares& shares,
                                  const std::vector<float>& depth_mm, const PriorUse& use);
 
-/// Log odds of a probability, limited to +-6.
+/// Log odds of a probability, limited to +-kMostLogOdds.
 float logOddsOf(float probability);
 
 }  // namespace facenav::segmentation
