@@ -39,6 +39,7 @@ Columns columnsOf(const GateRow& row) {
   const Columns results{{"calibration_px", fixed(row.calibration_px, 3)},
                         {"size_measured", fixed(row.size_measured, 4)},
                         {"accepted", row.is_accepted ? "1" : "0"},
+                        {"confirmed", row.is_confirmed ? "1" : "0"},
                         {"from", row.from},
                         {"start_mm", fixed(row.start_mm, 2)},
                         {"start_deg", fixed(row.start_deg, 2)},
@@ -71,10 +72,11 @@ std::string percent(int part, int whole) {
 /// Row of the summary for the trials of one fault.
 std::string summaryRow(const std::string& name, const std::vector<const GateRow*>& rows) {
   int accepted = 0, found = 0, inside = 0, over = 0, wrong = 0, wrong_trials = 0, named = 0, right = 0;
-  int visible = 0, tracked = 0, seen = 0;
+  int visible = 0, tracked = 0, seen = 0, confirmed = 0;
   std::vector<double> start_mm, errors_mm;
   for (const auto* row : rows) {
-    accepted += row->is_accepted, found += row->is_found_again, inside += row->isInsideBound();
+    accepted += row->is_accepted, confirmed += row->is_accepted && row->is_confirmed;
+    found += row->is_found_again, inside += row->isInsideBound();
     visible += row->visible > 0 ? row->visible : room::WorldRoom::frameCount(), tracked += row->tracked;
     over += row->over_tolerance, wrong += row->wrong_shown, wrong_trials += row->wrong_shown > 0;
     seen += row->isFaultSeen();
@@ -85,11 +87,11 @@ std::string summaryRow(const std::string& name, const std::vector<const GateRow*
   }
   const int count = int(rows.size());
   const auto start = evaluation::summarise(start_mm), all = evaluation::summarise(errors_mm);
-  return formatted("| %s | %s | %s | %s | %.2f / %.2f | %s | %.2f / %.2f | %d in %d | %d | %s | %s |\n",
-                   name.c_str(), percent(accepted, count).c_str(), percent(tracked, visible).c_str(),
-                   percent(found, count).c_str(), start.median, start.p95, percent(inside, accepted).c_str(),
-                   all.median, all.p95, wrong, wrong_trials, over, percent(named, seen).c_str(),
-                   percent(right, named).c_str());
+  return formatted("| %s | %s | %d | %s | %s | %.2f / %.2f | %s | %.2f / %.2f | %d in %d | %d | %s | %s |\n",
+                   name.c_str(), percent(accepted, count).c_str(), confirmed,
+                   percent(tracked, visible).c_str(), percent(found, count).c_str(), start.median, start.p95,
+                   percent(inside, accepted).c_str(), all.median, all.p95, wrong, wrong_trials, over,
+                   percent(named, seen).c_str(), percent(right, named).c_str());
 }
 
 /// The words without their numbers, so that equal reasons count together.
@@ -153,10 +155,11 @@ std::string gateSummary(const std::vector<GateRow>& rows) {
     if (by_fault.empty()) continue;
     text += is_odd ? "Odd seeds (for scoring):\n\n" : "Even seeds (for fitting):\n\n";
     text +=
-        "| fault | accepted | frames tracked | found again in 0.2 s | start mm, median / p95 | start inside "
+        "| fault | accepted | of them after a person confirmed the patient | frames tracked | found again in "
+        "0.2 s | start mm, median / p95 | start inside "
         "its "
         "bound | frames mm, median / p95 | wrong poses shown | over 3 mm or 2 deg | fault named | of those "
-        "rightly |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+        "rightly |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& [name, of_fault] : by_fault) text += summaryRow(name, of_fault);
     text += "\n";
     if (!of_none.empty()) text += "Without a fault, refused or lost:\n";

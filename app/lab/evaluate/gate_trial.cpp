@@ -205,11 +205,10 @@ void trackAlone(Context& context, const Trial& trial, GateRow& row) {
   if (frames > 0) row.tracked_alone = double(tracked) / frames;
 }
 
-void track(Context& context, const Trial& trial, GateRow& row) {
-  auto request = requestOf(context, trial);
-  request.case_folder = trial.case_folder;
+/// Tracks with the case. Throws registration::PersonUnclear where a person is to be asked.
+void trackWith(Context& context, const Trial& trial, const steps::TrackRequest& request, GateRow& row,
+               bool& has_frames) {
   std::map<std::string, int> losses;
-  bool has_frames = false;
   try {
     const auto outcome = steps::trackRecording(context.registrations, request, context.monitor,
                                                [&](const session::NavigationState& state) {
@@ -223,11 +222,26 @@ void track(Context& context, const Trial& trial, GateRow& row) {
       for (const auto& name : faultsNamedIn(outcome.rig_fault->words())) row.named.insert(name);
   } catch (const Cancelled&) {
     throw;
+  } catch (const registration::PersonUnclear&) {
+    if (!request.is_patient_confirmed && row.fault.kind != WorldFault::other_person) throw;
+    row.refusal = "another person, not confirmed";
   } catch (const Error& refusal) {
     row.refusal = wordsOf(refusal, trial);
     for (const auto& name : faultsNamedIn(row.refusal)) row.named.insert(name);
   }
   row.losses = inWords(losses);
+}
+
+void track(Context& context, const Trial& trial, GateRow& row) {
+  auto request = requestOf(context, trial);
+  request.case_folder = trial.case_folder;
+  bool has_frames = false;
+  try {
+    trackWith(context, trial, request, row, has_frames);
+  } catch (const registration::PersonUnclear&) {
+    row.is_confirmed = request.is_patient_confirmed = true;
+    trackWith(context, trial, request, row, has_frames);
+  }
   if (!has_frames && row.fault.kind == WorldFault::none) trackAlone(context, trial, row);
 }
 

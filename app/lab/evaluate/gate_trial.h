@@ -21,9 +21,10 @@ struct GateRow {
   double calibration_px = 0.0;  // rms of the calibration
   double size_measured = 1.0;   // size at which exact matches measure the head at the capture
 
-  bool is_accepted = false;                                // aligned and started
-  std::string refusal;                                     // else the program's words
-  std::string from;                                        // "dots", "plain", "film"
+  bool is_accepted = false;   // aligned and started
+  bool is_confirmed = false;  // asked who the patient is, and answered as it is: yes
+  std::string refusal;        // else the program's words
+  std::string from;           // "dots", "plain", "film"
   double start_mm = 0.0, start_deg = 0.0, bound_mm = 0.0;  // at the target; bound: 95 %, as stated
   /// Refused: does tracking alone, without the scan, start? Its share of tracked frames; -1: not tried, or
   /// refused too.
