@@ -9,6 +9,7 @@
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/stereo/dot_pattern.h"
+#include "support/pixel_rays.h"
 #include "support/stereo_rigs.h"
 
 namespace facenav::testing {
@@ -97,14 +98,17 @@ class Scene {
                 const Eigen::Isometry3d& left_T_camera, double gain, double offset_grey, int seed) const {
     cv::Mat grey(rig.height_px, rig.width_px, CV_64F), noise(grey.size(), CV_64F), out;
     constexpr int kSamples = 3;
+    std::vector<std::shared_ptr<PixelRays>> rays;
+    for (int i = 0; i < kSamples * kSamples; ++i)
+      rays.push_back(
+          pixelRays(camera, grey.size(),
+                    {(i % kSamples - 1) / double(kSamples), (i / kSamples - 1) / double(kSamples)}));
     for (int y = 0; y < grey.rows; ++y)
       for (int x = 0; x < grey.cols; ++x) {
         double sum = 0;
         for (int i = 0; i < kSamples * kSamples; ++i) {
-          const Eigen::Vector2d pixel(x + (i % kSamples - 1) / double(kSamples),
-                                      y + (i / kSamples - 1) / double(kSamples));
           const Eigen::Vector3d ray =
-              left_T_camera.linear() * cameras::undistort(camera, pixel).homogeneous().normalized();
+              left_T_camera.linear() * rays[std::size_t(i)]->at(x, y).homogeneous().normalized();
           const double t = surface_(left_T_camera.translation(), ray);
           if (!std::isnan(t)) sum += brightness(left_T_camera.translation() + t * ray);
         }

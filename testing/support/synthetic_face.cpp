@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "support/pixel_rays.h"
+
 namespace facenav::testing {
 namespace {
 
@@ -98,24 +100,10 @@ Eigen::Vector3d SyntheticFace::hit(const Eigen::Vector3d& origin, const Eigen::V
   return origin + t * ray - kFace_mm;
 }
 
-// The rays of all pixels of a camera; cached, because undistorting takes most of the rendering time.
-const cv::Mat2d& SyntheticFace::raysOf(const cameras::CameraModel& camera, cv::Size size) const {
-  for (const auto& [k, rays] : rays_)
-    if (cv::norm(k - camera.k) == 0 && rays.size() == size) return rays;
-  cv::Mat2d rays(size);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
-      const Eigen::Vector2d n = cameras::undistort(camera, {double(x), double(y)});
-      rays(y, x) = {n.x(), n.y()};
-    }
-  rays_.emplace_back(camera.k, rays);
-  return rays_.back().second;
-}
-
 cv::Mat SyntheticFace::image(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_left,
                              cv::Size size, const SyntheticView& view, std::uint64_t seed) const {
   cv::Mat1f shaded(size);
-  const cv::Mat2d& rays = raysOf(camera, size);
+  const auto rays = pixelRays(camera, size);
   const Eigen::Isometry3d head_T_camera = (camera_T_left * view.motion).inverse();
   const Eigen::Vector3d lamp = Eigen::Vector3d(view.lamp_x, -0.4, -1).normalized(),
                         origin = head_T_camera.translation();
@@ -125,7 +113,7 @@ cv::Mat SyntheticFace::image(const cameras::CameraModel& camera, const Eigen::Is
     const double down = std::cos(y / 23.0);
     double near_t = 0;
     for (int x = 0; x < size.width; ++x) {
-      const Eigen::Vector2d n(rays(y, x)[0], rays(y, x)[1]);
+      const Eigen::Vector2d n = rays->at(x, y);
       bool is_hit = false;
       const Eigen::Vector3d p =
           hit(origin, (head_T_camera.linear() * n.homogeneous()).normalized(), is_hit, near_t);
@@ -174,11 +162,12 @@ head_tracking::HeadReference SyntheticFace::reference(const cameras::StereoRig& 
   reference.frame = render(rig, view);
   if (!with_surface) return reference;
   const Eigen::Isometry3d head_T_camera = view.motion.inverse();
+  const auto rays = pixelRays(rig.left, {rig.width_px, rig.height_px});
   for (int y = 0; y < rig.height_px; y += 2) {
     double near_t = 0;
     for (int x = 0; x < rig.width_px; x += 2) {
       bool is_hit = false;
-      const Eigen::Vector3d ray = cameras::undistort(rig.left, {double(x), double(y)}).homogeneous();
+      const Eigen::Vector3d ray = rays->at(x, y).homogeneous();
       const Eigen::Vector3d p =
           hit(head_T_camera.translation(), (head_T_camera.linear() * ray).normalized(), is_hit, near_t);
       if (!is_hit || p.z() > 70) continue;

@@ -4,7 +4,6 @@
 // module only.
 
 #include <cstdint>
-#include <list>
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -42,13 +41,11 @@ class SyntheticFace {
  private:
   cv::Mat image(const cameras::CameraModel& camera, const Eigen::Isometry3d& camera_T_left, cv::Size size,
                 const SyntheticView& view, std::uint64_t seed) const;
-  const cv::Mat2d& raysOf(const cameras::CameraModel& camera, cv::Size size) const;
   double height(double x, double y) const;
   /// `near_t`: in: position of the hit on a neighbouring ray, or 0; out: position of this hit.
   Eigen::Vector3d hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, bool& is_hit,
                       double& near_t) const;
 
-  mutable std::list<std::pair<cv::Matx33d, cv::Mat2d>> rays_;
   cv::Mat1f portrait_;
   Eigen::Vector2d texture_centre_px_;
   double texture_px_per_mm_;

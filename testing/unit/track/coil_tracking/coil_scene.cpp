@@ -5,6 +5,8 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "support/pixel_rays.h"
+
 namespace facenav::coil_tracking::testing {
 namespace {
 
@@ -48,6 +50,10 @@ void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOpt
   const auto inRow = [&](double row) { return placed.inRow(row, view.camera, image.rows); };
   const cv::Rect box =
       region(view, placed, inRow(0), image.size()) | region(view, placed, inRow(image.rows), image.size());
+  using facenav::testing::pixelRays;
+  const auto rays = pixelRays(view.camera, image.size()),
+             rays_by_u = pixelRays(view.camera, image.size(), {0.5, 0}),
+             rays_by_v = pixelRays(view.camera, image.size(), {0, 0.5});
   for (int v = box.y; v < box.br().y; ++v) {
     const Eigen::Isometry3d marker_T_view = (view.view_T_camera * inRow(v)).inverse();
     const Eigen::Vector3d eye_mm = marker_T_view.translation();
@@ -55,9 +61,8 @@ void drawPrint(const CameraView& view, const PlacedPrint& placed, const SceneOpt
     for (int u = box.x; u < box.br().x; ++u) {
       // Undistorted coordinates are smooth: interpolated linearly within the pixel from its centre and two
       // neighbours.
-      const Eigen::Vector2d n = cameras::undistort(view.camera, {double(u), double(v)});
-      const Eigen::Vector2d by_u = cameras::undistort(view.camera, {u + 0.5, double(v)}) - n;
-      const Eigen::Vector2d by_v = cameras::undistort(view.camera, {double(u), v + 0.5}) - n;
+      const Eigen::Vector2d n = rays->at(u, v);
+      const Eigen::Vector2d by_u = rays_by_u->at(u, v) - n, by_v = rays_by_v->at(u, v) - n;
       double sum = 0;
       for (int ray_number = 0; ray_number < kRays; ++ray_number) {
         const double du = (ray_number + 0.5) / kRays - 0.5, dv = (ray_number * 7 % kRays + 0.5) / kRays - 0.5;
