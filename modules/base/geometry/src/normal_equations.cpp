@@ -1,22 +1,12 @@
 #include "facenav/geometry/normal_equations.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
 
 namespace facenav {
 inline namespace geometry {
-namespace {
-
-template <int n>
-PrincipalAxes<n> axesOf(const Eigen::Matrix<double, n, n>& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, n, n>> solver(symmetric);
-  return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-}  // namespace
 
 Eigen::Vector2d solveSymmetric(const Eigen::Matrix2d& a, const Eigen::Vector2d& b) {
   return a.ldlt().solve(b);
@@ -45,15 +35,6 @@ Eigen::MatrixXd inverseOfSymmetric(const Eigen::MatrixXd& a) {
 }
 
 Matrix6d inverseOf(const Matrix6d& a) { return a.inverse(); }
-
-PrincipalAxes<2> principalAxes(const Eigen::Matrix2d& symmetric) { return axesOf<2>(symmetric); }
-PrincipalAxes<3> principalAxes(const Eigen::Matrix3d& symmetric) { return axesOf<3>(symmetric); }
-PrincipalAxes<4> principalAxes(const Eigen::Matrix4d& symmetric) { return axesOf<4>(symmetric); }
-PrincipalAxes<6> principalAxes(const Matrix6d& symmetric) { return axesOf<6>(symmetric); }
-
-PrincipalAxes<Eigen::Dynamic> principalAxes(const Eigen::MatrixXd& symmetric) {
-  return axesOf<Eigen::Dynamic>(symmetric);
-}
 
 Eigen::Quaterniond rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   // Not Eigen's FromTwoVectors: its singular values take ten seconds to compile.
