@@ -25,7 +25,6 @@ constexpr double kSame_rad = 0.005, kSame_mm = 0.5;
 }  // namespace
 
 std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double reach_mm, double noise_mm) {
-  constexpr std::size_t kUsual = 80;  // usual number of points in a patch
   CubeNumbers numbers(kHairPatch_mm);
   std::vector<int> patch_of(matches.size(), -1);
   std::vector<std::vector<float>> residuals;
@@ -33,7 +32,7 @@ std::vector<float> patchWeights(const std::vector<PointMatch>& matches, double r
     const PointMatch& m = matches[p];
     if (!m.is_valid) continue;
     patch_of[p] = numbers.of(m.at_mri_mm);
-    if (std::size_t(patch_of[p]) == residuals.size()) residuals.emplace_back().reserve(kUsual);
+    if (std::size_t(patch_of[p]) == residuals.size()) residuals.emplace_back();
     if (std::abs(m.residual_mm) < float(reach_mm))
       residuals[std::size_t(patch_of[p])].push_back(m.residual_mm);
   }

@@ -288,7 +288,6 @@ double SkinLikelihood::mostEvidence(const std::vector<Patch>& patches, std::size
 
 template <class Visitor>
 double SkinLikelihood::sumOut(const std::vector<Patch>& patches, const Prior& prior, Visitor&& visit) const {
-  constexpr double kNegligible = 10.0;  // difference of log evidence
   double agreement = 0;
   for (const auto& neighbours : neighbours_) agreement += 0.25 * kRim * double(neighbours.size());
   std::array<std::pair<double, std::size_t>, kDetails> promising;
@@ -298,7 +297,7 @@ double SkinLikelihood::sumOut(const std::vector<Patch>& patches, const Prior& pr
   std::vector<double> logs;
   std::vector<Labels> all;
   for (const auto& [most, d] : promising) {
-    if (!logs.empty() && most < *std::max_element(logs.begin(), logs.end()) - kNegligible) break;
+    if (!logs.empty() && most < *std::max_element(logs.begin(), logs.end()) - kCertain) break;
     Labels labels = label(patches, d, prior, coveredAlone(patches, d));
     Labels other = label(patches, d, prior, std::vector<double>(patches.size(), 0.0));
     if (other.log_evidence > labels.log_evidence) labels = std::move(other);

@@ -11,8 +11,7 @@
 
 namespace facenav::segmentation {
 
-constexpr std::array<int, 3> kPriorSize{48, 56, 48};  // voxels, RAS
-constexpr double kPriorSpacing_mm = 4;
+constexpr std::array<int, 3> kPriorSize{48, 56, 48};  // voxels of 4 mm, RAS
 enum PriorClass { kPriorAir, kPriorBrain, kPriorFluid, kPriorOther, kPriorClasses };
 
 /// Probability of each class, voxel by voxel of a window.

@@ -18,7 +18,6 @@ struct SkinPart {
 
 class SkinMobility {
  public:
-  static constexpr int kParts = 14;
   /// Largest mobility of skin that shows the skull's place: not lips and chin.
   static constexpr double kUpperFace_mm = 1.3;
   /// Assumes that every part moves like the forehead; used without landmarks.
