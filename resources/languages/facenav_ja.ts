@@ -11348,6 +11348,14 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <source>the face was measured too coarsely to tell this person from others: a person confirmed that this is the patient&apos;s own MRI</source>
         <translation>顔の計測が粗すぎて、この人と他の人を区別できませんでした: 患者本人の MRI であることを人が確認しました</translation>
     </message>
+    <message>
+        <source>not aligned: the face does not fit this MRI, or was measured too coarsely to tell%1</source>
+        <translation>位置合わせできません: 顔がこの MRI と合わないか、計測が粗くて判定できません%1</translation>
+    </message>
+    <message>
+        <source>check that this is the patient&apos;s own MRI; if it is, bring the cameras nearer, project dots, and keep hair and hands off the face</source>
+        <translation>患者本人の MRI か確認してください。本人のものなら、カメラを近づけ、ドットを投影し、髪と手を顔からどけてください</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui</name>

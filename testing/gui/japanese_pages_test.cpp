@@ -256,6 +256,34 @@ TEST_F(JapanesePages, ALiveSession) {
   treat->presenter().stop("the test has ended");
 }
 
+TEST_F(JapanesePages, TheQuestionWhoThePatientIs) {
+  namespace live = treat_fixtures;
+  const std::string words =
+      "not aligned: the face fits this MRI, but was measured too coarsely to tell this person from others "
+      "(91 % of it lies on the skin, by 1.3 mm)";
+  const std::string remedy =
+      "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date "
+      "of "
+      "birth, and confirm that this is the patient's own MRI";
+  Services services = live::fakeServices();
+  services.align = [words, remedy](const auto&, const auto&, const auto&, auto&) -> steps::AlignmentOutcome {
+    throw registration::PersonUnclear(words, {}, remedy);
+  };
+  const auto recording = QString::fromStdString(live::writeRecording(folder_.path(), 60).string());
+  ASSERT_NO_FATAL_FAILURE(open(live::plannedCase(folder_.path(), true), services));
+  window_->setWorkspace(Workspace::treat);
+  window_->play(recording, false);
+  const auto isAsked = [this] { return window_->findChild<QMessageBox*>("person_question") != nullptr; };
+  for (const double scale : kScales) {
+    changeTextScale(*qApp, scale);
+    ASSERT_TRUE(fixtures::waitFor(isAsked));
+    lookAtDialog("person_question");
+    ASSERT_TRUE(fixtures::waitFor([&] { return !isAsked(); }));
+    window_->findChild<TreatWorkspace*>()->presenter().align(false);
+  }
+  ASSERT_TRUE(fixtures::waitFor(isAsked));
+}
+
 TEST_F(JapanesePages, Home) { fixtures::onEveryHomePage(kLaptop, lookInBothSizes); }
 
 TEST_F(JapanesePages, SetUpOfTheCameras) { fixtures::onEverySetUpPage(kLaptop, lookInBothSizes); }

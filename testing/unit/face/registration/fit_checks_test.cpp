@@ -116,7 +116,7 @@ TEST(FitChecks, TooFewPointsAreTooLittleOfAFace) {
 
 TEST(FitChecks, AMirroredScanIsNamedOnlyWhereTheMirrorImageFits) {
   FitEvidence evidence = rightHead();
-  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true, evidence.own_log_odds = -1;
+  evidence.mirror_log_odds = -8, evidence.does_mirror_fit = true, evidence.own_log_odds = 0;
   EXPECT_THAT(refusal(evidence), HasSubstr("left and right are swapped"));
   evidence.does_mirror_fit = false;
   EXPECT_THAT(refusal(evidence), HasSubstr("does not fit this MRI"));

@@ -172,7 +172,7 @@ class AlignRecording : public ::testing::Test {
 TEST_F(AlignRecording, AsksAPersonWhereTheFaceIsTooCoarseAndStoresTheAnswer) {
   recording_.capture = plain();
   may_be_unsure_ = true;
-  answers_ = {{0.3, 0.3}, {kUnclear, kUnclear}};
+  answers_ = {std::vector<double>(8, 0.3), std::vector<double>(8, kUnclear)};
   EXPECT_THROW(align(recording_), registration::PersonUnclear);
   EXPECT_FALSE(store_->alignment()) << "nothing is stored before a person answers";
   is_patient_confirmed_ = true;
@@ -184,7 +184,7 @@ TEST_F(AlignRecording, AsksAPersonWhereTheFaceIsTooCoarseAndStoresTheAnswer) {
 TEST_F(AlignRecording, AConfirmationHoldsForTheSamePicturesOnly) {
   recording_.capture = plain();
   may_be_unsure_ = is_patient_confirmed_ = true;
-  answers_ = {std::vector<double>(4, 0.3), std::vector<double>(4, kUnclear)};
+  answers_ = {std::vector<double>(8, 0.3), std::vector<double>(8, kUnclear)};
   align(recording_);
   is_patient_confirmed_ = false;
   EXPECT_THROW(align(recording_), registration::PersonUnclear) << "new pictures, another person perhaps";

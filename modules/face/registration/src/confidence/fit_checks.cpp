@@ -221,10 +221,18 @@ std::string measuredAs(const Closeness& closeness) {
          " mm)";
 }
 
+/// Refuses a face that does not fit, or one that was measured so coarsely that other heads fit as well.
 [[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
-  throw NotThisPerson("not aligned: the face does not fit this MRI" + measuredAs(evidence.closeness),
-                      "check that this is the patient's own MRI, and measure the face again",
-                      evidence.own_log_odds);
+  const std::string measured = measuredAs(evidence.closeness);
+  if (evidence.own_log_odds < 0)
+    throw NotThisPerson("not aligned: the face does not fit this MRI" + measured,
+                        "check that this is the patient's own MRI, and measure the face again",
+                        evidence.own_log_odds);
+  throw NotThisPerson(
+      "not aligned: the face does not fit this MRI, or was measured too coarsely to tell" + measured,
+      "check that this is the patient's own MRI; if it is, bring the cameras nearer, project dots, and keep "
+      "hair and hands off the face",
+      evidence.own_log_odds);
 }
 
 [[noreturn]] void refuseAsUnclear(const FitEvidence& evidence) {
@@ -274,7 +282,8 @@ void requireLikeness(const FitEvidence& evidence) {
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_own)
     refuse("the MRI is mirrored: its left and right are swapped",
            "import the MRI again from its DICOM files");
-  if (evidence.own_log_odds < 0) refuseAsAnother(evidence);
+  if (evidence.own_log_odds < 0 || (!is_own && evidence.mirror_log_odds < limits.least_own))
+    refuseAsAnother(evidence);
   if (is_own && isRareSize(evidence.fitting_scale, 0.0)) refuseSize(evidence.fitting_scale);
   // Nobody can see whether a scan is mirrored, so a confirmation does not replace these odds.
   if (evidence.mirror_log_odds < limits.least_own)

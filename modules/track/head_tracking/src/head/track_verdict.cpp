@@ -1,4 +1,5 @@
 #include "track_verdict.h"
+
 #include "facenav/anatomy/head_norms.h"
 #include "facenav/geometry/normal_equations.h"
 #include "facenav/geometry/rotation.h"
