@@ -14,12 +14,14 @@ constexpr double kClearStatistic = 40;  // as in health::RigHealth: twice the mo
 }  // namespace
 
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
-                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face) {
+                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
+                           const FaceInSpace& landmarks) {
   health::RigMonitor monitor(rig);
   monitor.add(health::matchSurface(rig, measured, face.cloud, face.left_px));
   const auto estimate = monitor.estimate();
   if (!estimate.hasMoved()) return;
-  const auto diagnosis = health::diagnosePair(rig, plain, monitor.region());
+  const auto face_px = landmarks.left ? std::optional(landmarks.left->face) : monitor.region();
+  const auto diagnosis = health::diagnosePair(rig, plain, face_px);
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
   // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.
   const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});

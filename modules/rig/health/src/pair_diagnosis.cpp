@@ -131,15 +131,17 @@ PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoF
   // Smooth skin has few corners. Its windows decide then.
   if (part && matches.size() < kFewestMatches)
     matches = within(part, growMatches(frame.left, frame.right, all));
-  const bool is_elsewhere = matches.size() < kFewestMatches;
-  if (is_elsewhere) matches = all;
+  // A face on which nothing matches may be of two moments: then the rest of the pictures decides.
+  const bool is_of_part = part && matches.size() >= kFewestMatches;
+  if (matches.size() < kFewestMatches) matches = all;
   auto diagnosis = diagnoseMatches(rig, matches);
-  // Stripes and wallpaper match in wrong places too, and then no pose explains them.
-  if (part && is_elsewhere && diagnosis.state == RigState::out_of_step) diagnosis.state = RigState::unclear;
+  diagnosis.is_of_part = is_of_part;
+  if (!diagnosis.isOfCameras()) return diagnosis;
+  diagnosis = withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
+  // After the skin: pictures of two moments may differ by as little.
   if (diagnosis.state == RigState::moved && isWithinCalibration(rig, matches))
     diagnosis.state = RigState::holds;
-  if (!diagnosis.isOfCameras()) return diagnosis;
-  return withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
+  return diagnosis;
 }
 
 OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,

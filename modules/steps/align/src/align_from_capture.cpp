@@ -136,7 +136,7 @@ Field fieldOf(const AlignmentSetup& setup) {
 void fit(const cameras::StereoRig& rig, const AlignmentSetup& setup, const Field& field,
          const cameras::StereoFrame& measured, const cameras::StereoFrame& plain, TaskMonitor& monitor,
          AlignmentOutcome& outcome) {
-  measured_face::requireUnmovedCameras(rig, measured, plain, outcome.face);
+  measured_face::requireUnmovedCameras(rig, measured, plain, outcome.face, outcome.landmarks);
   outcome.scalp = field.get();
   std::optional<health::ScaleObservation> marker = setup.marker;
   outcome.is_marker_contradicted = false;

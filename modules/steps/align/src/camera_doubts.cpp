@@ -39,8 +39,8 @@ std::string wordsOf(const std::exception_ptr& failure) {
   } catch (const Error&) {
   }
   const auto diagnosis = health::diagnosePair(rig, capture.plain, face);
-  // Without a face only background and clothes are seen, which do not tell two moments.
-  const bool is_told = face || diagnosis.state != health::RigState::out_of_step;
+  // Stripes and wallpaper match in wrong places too, as if they were of two moments: only the face explains.
+  const bool is_told = diagnosis.is_of_part || diagnosis.state != health::RigState::out_of_step;
   if (diagnosis.isFault() && is_told) throw health::RigError(diagnosis, "not aligned: ");
   if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture) ||
       measured_face::showsDots(capture, face)) {

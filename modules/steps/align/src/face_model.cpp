@@ -102,7 +102,8 @@ FaceModel measureFaceModel(const cameras::StereoRig& rig, const capture::Capture
   const auto face =
       has_dots ? measured_face::measureDotted(rig, capture.pattern, landmarks, setup.matcher, monitor)
                : measured_face::measurePlainSkin(rig, capture.plain, landmarks, monitor);
-  measured_face::requireUnmovedCameras(rig, has_dots ? capture.pattern : capture.plain, capture.plain, face);
+  measured_face::requireUnmovedCameras(rig, has_dots ? capture.pattern : capture.plain, capture.plain, face,
+                                       landmarks);
   return modelOf(rig, face, landmarks, from, setup);
 }
 
@@ -112,7 +113,7 @@ FaceModel measureFaceModel(capture::FrameSource& film, std::int64_t first, std::
   const auto seen =
       measured_face::measureFilm(film, first, last, head_tracking::motionSinceFirst(tracker, film.rig()),
                                  setup.detector, monitor, measured_face::kFramesToAlign);
-  measured_face::requireUnmovedCameras(film.rig(), *seen.first, *seen.first, seen.cloud.face);
+  measured_face::requireUnmovedCameras(film.rig(), *seen.first, *seen.first, seen.cloud.face, seen.landmarks);
   return modelOf(film.rig(), seen.cloud.face, seen.landmarks, measured_face::AlignedFrom::film, setup);
 }
 

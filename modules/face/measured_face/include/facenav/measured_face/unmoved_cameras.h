@@ -3,13 +3,16 @@
 
 #include "facenav/cameras/stereo_frame.h"
 #include "facenav/cameras/stereo_rig.h"
+#include "facenav/measured_face/face_in_space.h"
 #include "facenav/stereo/face_cloud.h"
 
 namespace facenav::measured_face {
 
 /// Matches points of the face again in the pictures it was `measured` on, and throws health::RigError if they
-/// show that the cameras moved. `plain`: the same face without dots.
+/// show that the cameras moved. `plain`: the same face without dots. `landmarks`: of the plain picture; where
+/// it shows a face, only that part of it counts, because walls and clothes match in wrong places.
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
-                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face);
+                           const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
+                           const FaceInSpace& landmarks);
 
 }  // namespace facenav::measured_face

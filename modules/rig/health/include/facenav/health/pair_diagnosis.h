@@ -29,8 +29,9 @@ struct PairDiagnosis {
   std::size_t matches = 0;
   double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
-  double residual_px = 0;  // median residual under the calibration
-  double skin_px = 0;      // residual common to neighbouring skin under the best explanation; 0: not tested
+  double residual_px = 0;   // median residual under the calibration
+  bool is_of_part = false;  // the matches are those of the asked part of the picture
+  double skin_px = 0;       // residual common to neighbouring skin under the best explanation; 0: not tested
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).
   RigidTransform<RightCamera, Camera> right_T_left;
 
@@ -50,8 +51,8 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
 /// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
 /// fit. `part` of the left picture, px: only its matches count; empty: the whole picture. Give the face where
 /// it is known: clothes and walls at the edge lie where no board was shown, and the lens model is a guess
-/// there. If too little of that part matches, the whole picture counts, but it does not tell two moments
-/// then. `moved` is said only where the calibration's own errors do not explain the matches (RigMonitor).
+/// there. If too little of that part matches, the whole picture counts. `moved` is said only where the
+/// calibration's own errors do not explain the matches (RigMonitor).
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const std::optional<cv::Rect>& part = {});
 
