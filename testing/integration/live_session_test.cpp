@@ -121,7 +121,8 @@ class LiveSession : public ::testing::Test {
   PulseSender sender_;
 };
 
-/// Refuses a head that moved: the dots show it where it was before the picture without dots.
+/// Refuses a head that moved: the dots show it where it was before the picture without dots. The picture
+/// without dots alone is of one moment.
 void LiveSession::refuseAHeadThatMoved() {
   const fs::path moved = folder_.path() / "moved";
   fs::copy(recording_, moved, fs::copy_options::recursive);
@@ -135,6 +136,11 @@ void LiveSession::refuseAHeadThatMoved() {
   EXPECT_THAT(run("align " + in(case_) + " " + in(moved) + " --using dots -q", 1).errors,
               HasSubstr("between the picture with dots and the one without; hold the head still"));
   EXPECT_FALSE(casefile::CaseStore::open(case_).alignment());
+  const fs::path again = folder_.path() / "again";
+  fs::copy(case_, again, fs::copy_options::recursive);
+  EXPECT_THAT(run("align " + in(again) + " " + in(moved), 0).output,
+              HasSubstr("the pair with dots was refused (not aligned: the head moved by"));
+  EXPECT_TRUE(casefile::CaseStore::open(again).alignment());
 }
 
 /// Aligns; the projector is switched off between the two answers.

@@ -188,6 +188,7 @@ struct Attempts {
   std::optional<Error> error_;
   bool is_turn_unknown_ = false;    // error_ says so
   bool is_person_unclear_ = false;  // likewise
+  bool has_head_moved_ = false;     // likewise: with a still head the dots would do
   double against_ = 0.0;            // least log odds of this person's scan by the refused ways; at most 0
 };
 
@@ -208,8 +209,11 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
     take(align());
   } catch (const Cancelled&) {
     throw;
+  } catch (const HeadMoved& error) {
+    error_ = error, has_head_moved_ = true;
+    now.refusal = error.what();
   } catch (const UnknownTurn& error) {  // contains advice for use with or without a projector
-    error_ = error, is_turn_unknown_ = true, is_person_unclear_ = false;
+    if (!has_head_moved_) error_ = error, is_turn_unknown_ = true, is_person_unclear_ = false;
     now.refusal = error.what();
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;

@@ -211,13 +211,13 @@ void conclude(const cameras::StereoRig& rig, const AlignmentSetup& setup, const 
   }
 }
 
-/// Throws Error unless the head is at one place in the picture with dots, which was aligned, and in the plain
-/// one, from which the tracker starts.
+/// Throws HeadMoved unless the head is at one place in the picture with dots, which was aligned, and in the
+/// plain one, from which the tracker starts.
 void requireStillHead(const cameras::StereoRig& rig, const AlignmentOutcome& outcome) {
   const monitoring::DriftCheck check(rig, outcome.scalp, outcome.reference, outcome.result.camera_T_mri);
   const auto& found = check.atReference();
   if (found.verdict != monitoring::DriftFinding::Verdict::drifted) return;
-  throw Error(
+  throw HeadMoved(
       formatted("not aligned: the head moved by %.1f mm and %.1f deg between the picture with dots and "
                 "the one without",
                 found.shift_mm, found.turn_deg),

@@ -69,6 +69,13 @@ class NotMeasured : public Error {
   using Error::Error;
 };
 
+/// Refusal because the head moved between the picture with dots and the plain one. One picture alone, or a
+/// film, is not affected.
+class HeadMoved : public NotMeasured {
+ public:
+  using NotMeasured::NotMeasured;
+};
+
 /// Inputs of every alignment besides the pictures. `field_file`: file of the scalp's distance field
 /// (casefile::CaseStore::scalpField()); made if missing. `matcher`: one of stereo::denseMatcherNames(), for
 /// pictures with dots. `coil`: the one that will be held at the targets. `coil_tracker`: searches the
