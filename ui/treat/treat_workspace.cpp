@@ -80,8 +80,11 @@ TreatWorkspace::TreatWorkspace(TreatPresenter& presenter, CaseModel& model, QWid
   connect(&motor_, &MotorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&projector_, &ProjectorPresenter::refused, &presenter_, &TreatPresenter::refused);
   connect(&presenter_, &TreatPresenter::personUnclear, this, [this](const QString& why, bool then_start) {
+    const auto asked = model_.current().store.folder();
     askForPerson(*this, model_.current().label.isEmpty() ? model_.current().id : model_.current().label, why,
-                 [this, then_start] { presenter_.align(then_start, true); });
+                 [this, then_start, asked] {  // the answer is about this case alone
+                   if (model_.current().store.folder() == asked) presenter_.align(then_start, true);
+                 });
   });
   connect(&presenter_, &TreatPresenter::overlayDrawn, pictures_, &CameraRow::showDrawn);
   connect(pictures_, &CameraRow::picked, this, [this](auto side, const QPointF& px, auto state) {

@@ -269,10 +269,10 @@ void storeAlignment(const casefile::CaseStore& store, const cameras::StereoRig& 
 CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseStore& store,
                              const capture::Recording& given, const AlignOrder& order, TaskMonitor& monitor) {
   capture::Recording recording = given;
-  bool is_patient_confirmed = order.is_patient_confirmed;
+  bool was_confirmed = false;  // of the person in the stored pair, not of the one in a new film
   if (!recording.capture && order.stored_pair_stands_in) {
     recording.capture = storedPair(store, recording);
-    is_patient_confirmed |= recording.capture && store.alignment()->rests_on_confirmation;
+    was_confirmed = recording.capture && store.alignment()->rests_on_confirmation;
   }
   const auto detector = methods.face_detector();
   const auto aligner = methods.aligners.create(order.aligner);
@@ -289,16 +289,17 @@ CaseAlignment alignRecording(const Registrations& methods, const casefile::CaseS
                        order.matcher,
                        order.coil ? *order.coil : coilNamedIn({recording.folder, store.folder()}),
                        coil_tracker.get()};
-  setup.is_patient_confirmed = is_patient_confirmed;
   if (order.from) requirePictures(recording, *order.from);
   const bool shows_dots = areDotsSeen(recording, *detector);
   const bool was_projector_off = !shows_dots && recording.capture && hasPattern(*recording.capture);
-  Attempts attempts(is_patient_confirmed);
+  Attempts attempts(order.is_patient_confirmed);
   bool was_marker_sought = false;
   for (const measured_face::AlignedFrom from :
        order.from ? std::vector{*order.from} : waysOf(recording, shows_dots)) {
     if (attempts.isSettled() && (!order.tries_all || from == measured_face::AlignedFrom::film)) break;
     const bool has_dots = from == measured_face::AlignedFrom::dots && shows_dots;
+    setup.is_patient_confirmed =
+        order.is_patient_confirmed || (was_confirmed && from != measured_face::AlignedFrom::film);
     if (!has_dots && coil_tracker && !std::exchange(was_marker_sought, true))
       setup.marker = restingMarkerIn(recording, setup.coil, *coil_tracker);
     attempts.add(from, store, [&] {

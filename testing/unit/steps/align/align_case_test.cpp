@@ -193,6 +193,19 @@ TEST_F(AlignRecording, AConfirmationHoldsForTheSamePicturesOnly) {
   EXPECT_TRUE(align(recording_).outcome.result.rests_on_confirmation);
 }
 
+TEST_F(AlignRecording, AConfirmationOfTheStoredPairIsNoneOfTheFilm) {
+  recording_.capture = plain();
+  may_be_unsure_ = is_patient_confirmed_ = true;
+  answers_ = {std::vector<double>(12, 0.3), std::vector<double>(12, kUnclear)};
+  align(recording_);
+  is_patient_confirmed_ = false, stored_pair_stands_in_ = true;
+  const auto aligned = align(film(20));
+  EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain);
+  ASSERT_EQ(aligned.tries.size(), 2u);
+  EXPECT_EQ(aligned.tries.back().from, measured_face::AlignedFrom::film);
+  EXPECT_THAT(aligned.tries.back().refusal, ::testing::HasSubstr("too coarse"));
+}
+
 TEST_F(AlignRecording, AConfirmationThatWasNotNeededIsNotStored) {
   recording_.capture = plain();
   may_be_unsure_ = is_patient_confirmed_ = true;

@@ -241,8 +241,7 @@ std::string measuredAs(const Closeness& closeness) {
           measuredAs(evidence.closeness),
       {},
       "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date "
-      "of "
-      "birth, and confirm that this is the patient's own MRI");
+      "of birth, and confirm that this is the patient's own MRI");
 }
 
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {
