@@ -55,6 +55,19 @@ TEST(EpipolarOffset, IsTheShiftAcrossTheLinesAndBlindAlongThem) {
   EXPECT_NEAR(down, -up, 1e-2) << "it has a sign";
 }
 
+// Two moments make the depth wrong by centimetres: that must not pass for a fast head, whose motion between
+// the exposures of untriggered cameras would explain the offset.
+TEST(EpipolarOffset, IsExplainedByMotionAcrossTheLinesAlone) {
+  const auto rig = facenav::testing::convergingRig();
+  const Eigen::Vector3d at_mm(50, 20, 600),
+      along_mm = rig.right_T_left.isometry().inverse().translation().normalized();
+  EXPECT_NEAR(motionAcrossLines_mm(rig, at_mm, 1.05 * at_mm), 0, 1e-9) << "nearer or farther";
+  EXPECT_NEAR(motionAcrossLines_mm(rig, at_mm, at_mm + 20 * along_mm), 0, 1e-9);
+  EXPECT_NEAR(motionAcrossLines_mm(rig, at_mm, at_mm + Eigen::Vector3d(0, 3, 0)), 3, 0.01);
+  const auto above = facenav::testing::verticalRig();
+  EXPECT_NEAR(motionAcrossLines_mm(above, {0, 0, 600}, {3, 0, 600}), 3, 0.01);
+}
+
 TEST(EpipolarOffset, TheSpreadIsTheNoiseAndFewOutliersChangeNeither) {
   const auto rig = facenav::testing::convergingRig();
   auto matches = matchesOf(rig, {0, 0.5}, 0.3, 600);

@@ -11,7 +11,6 @@ namespace facenav::head_tracking {
 namespace {
 
 constexpr double kOneMotion_s = 0.5;     // longest time between two answers that give the head's speed
-constexpr double kJitter_mm = 0.5;       // difference of two answers about a head at rest
 constexpr int kThoroughEvery = 4;        // questions; a search at all roll angles takes ten times longer
 constexpr double kDiagnosedFor_s = 3.0;  // the room decides anew after that; 0.3 s of one core
 constexpr int kFirstLevel = 1;
@@ -136,7 +135,7 @@ double LostFace::allowed_px(const Found& found) {
   if (since_s < 1e-3 || since_s > kOneMotion_s) return 0.0;
   const Eigen::Vector3d& centre_mm = learnt_.model->centre_mm;
   const Eigen::Vector3d now_mm = found.camera_T_head * centre_mm;
-  const double moved_mm = std::max(0.0, (now_mm - before->camera_T_head * centre_mm).norm() - kJitter_mm);
+  const double moved_mm = motionAcrossLines_mm(*learnt_.rig, before->camera_T_head * centre_mm, now_mm);
   const double px_per_mm = learnt_.rig->right.k(1, 1) / std::max(1.0, now_mm.z());
   return moved_mm / since_s * learnt_.late->mostLate_s() * px_per_mm;
 }

@@ -65,6 +65,12 @@ bool EpipolarOffset::isClearlyOutOfStep() const {
          std::abs(median_px) > limits.step_clear_px + limits.step_clear_sigmas * sigmaOf(*this);
 }
 
+double motionAcrossLines_mm(const cameras::StereoRig& rig, const Eigen::Vector3d& from_mm,
+                            const Eigen::Vector3d& to_mm) {
+  const Eigen::Vector3d right_eye_mm = rig.right_T_left.isometry().inverse().translation();
+  return std::abs(right_eye_mm.cross(to_mm).normalized().dot(to_mm - from_mm));
+}
+
 StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Timestamp captured) {
   const StepLimits& limits = settingsOf<StepLimits>();
   const bool has_before = before_ && std::abs(captured - captured_) < limits.step_one_fault_s;

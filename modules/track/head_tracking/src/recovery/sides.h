@@ -31,6 +31,11 @@ struct EpipolarOffset {
   bool isClearlyOutOfStep() const;
 };
 
+/// Motion of a point across its epipolar lines, mm (Camera). Two moments make depth wrong by far more than
+/// the head moved, so only this part of a measured motion is the head's own.
+double motionAcrossLines_mm(const cameras::StereoRig& rig, const Eigen::Vector3d& from_mm,
+                            const Eigen::Vector3d& to_mm);
+
 enum class StepVerdict { in_step, unsure, out_of_step };
 
 /// StepWatch: judges each answer's offset together with the one before, since compressed images shift a
