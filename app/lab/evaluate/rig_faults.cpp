@@ -113,6 +113,7 @@ std::string wordOf(RigState fault) {
     case RigState::other_cameras:
       return "other rig";
     case RigState::unclear:
+    case RigState::away:
       break;
   }
   return "unknown";

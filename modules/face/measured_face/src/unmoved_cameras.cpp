@@ -20,7 +20,7 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   monitor.add(health::matchSurface(rig, measured, face.cloud, face.left_px));
   const auto estimate = monitor.estimate();
   if (!estimate.hasMoved()) return;
-  const auto face_px = landmarks.left ? std::optional(landmarks.left->face) : monitor.region();
+  const auto face_px = landmarks.left ? face::outlineOf(*landmarks.left) : health::outlineOf(face.left_px);
   const auto diagnosis = health::diagnosePair(rig, plain, face_px);
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
   // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "facenav/core/robust_statistics.h"
 #include "facenav/health/pair_matches.h"
@@ -18,6 +19,7 @@ constexpr double kAgrees = 3.3, kHolds = 1.7, kHoldsShare = 0.7;
 constexpr double kExplainedCost = 3.8;  // cost per match: 1.9 for pure Student's t, twice that on skin
 constexpr PosePrior kAnyRig{0.25, 60.0};
 constexpr double kKnockDoubt = 25.0;  // decrease of cost: above this it is not a knock
+constexpr double kDecided = 6.0;      // difference of cost: one cause is 20 times as likely as the other
 constexpr std::size_t kFewestOnSkin = 150;
 // Limit of the residual common to neighbouring skin, in standard errors of a match: above it the pictures are
 // of two moments. A lower limit rejects more right pairs. Evidence: resources/doc/evidence.md.
@@ -56,13 +58,26 @@ Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
   return {off[off.size() / 2], double(within) / double(off.size())};
 }
 
-/// The matches in that part of the left picture; all, if it is empty.
-std::vector<Correspondence> within(const std::optional<cv::Rect>& part,
+/// The matches inside the outline in the left picture; all, if it is empty.
+std::vector<Correspondence> within(const std::vector<cv::Point>& outline,
                                    const std::vector<Correspondence>& matches) {
-  if (!part) return matches;
+  if (outline.empty()) return matches;
   std::vector<Correspondence> kept;
   for (const auto& match : matches)
-    if (part->contains({int(match.left_px.x()), int(match.left_px.y())})) kept.push_back(match);
+    if (cv::pointPolygonTest(outline, {float(match.left_px.x()), float(match.left_px.y())}, false) >= 0)
+      kept.push_back(match);
+  return kept;
+}
+
+/// The matches beside the person. Hair and clothes move with the head, or by themselves.
+std::vector<Correspondence> inRoom(const std::vector<cv::Point>& face_px,
+                                   const std::vector<Correspondence>& matches) {
+  const cv::Rect face = cv::boundingRect(face_px);
+  std::vector<Correspondence> kept;
+  for (const auto& match : matches)
+    if (match.left_px.y() < face.y - face.height || match.left_px.x() < face.x - face.width ||
+        match.left_px.x() > face.x + 2 * face.width)
+      kept.push_back(match);
   return kept;
 }
 
@@ -74,6 +89,15 @@ bool isWithinCalibration(const cameras::StereoRig& rig, const std::vector<Corres
 }
 
 bool isExplained(const Fit& fit) { return fit.share > kHoldsShare && fit.median < kHolds; }
+
+/// The face matches nowhere: it may be of two moments. The rest of the pictures cannot tell more than that,
+/// or that they are exchanged, since clothes and wallpaper match in wrong places.
+PairDiagnosis withoutFace(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
+  PairDiagnosis diagnosis = diagnoseMatches(rig, matches);
+  if (diagnosis.state != RigState::swapped && diagnosis.state != RigState::out_of_step)
+    diagnosis.state = RigState::unclear;
+  return diagnosis;
+}
 
 }  // namespace
 
@@ -123,45 +147,51 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
   return diagnosis;
 }
 
+/// Both causes are one motion of the same size: of the right camera against face and room, or of the face
+/// alone while the room fits the calibration. So their costs compare as they are.
+OffsetCause likelierCause(const cameras::StereoRig& rig, const std::vector<Correspondence>& face,
+                          const std::vector<Correspondence>& room) {
+  if (face.size() < kFewestMatches || room.size() < kFewestMatches) return OffsetCause::unknown;
+  const Eigen::Isometry3d calibrated = rig.right_T_left.isometry();
+  const auto face_rays = raysOf(rig, face, false), room_rays = raysOf(rig, room, false);
+  auto all_rays = face_rays;
+  all_rays.insert(all_rays.end(), room_rays.begin(), room_rays.end());
+  const RelativePose moved = refinePose(calibrated, all_rays, &kKnock);
+  const double by_head = costOf(calibrated, room_rays) + refinePose(calibrated, face_rays, &kKnock).cost;
+  if (moved.cost - by_head > kDecided) return OffsetCause::two_exposures;
+  // Wallpaper matches one pattern off: a room that no motion explains is no evidence of one.
+  const bool is_motion = by_head - moved.cost > kDecided && isExplained(fitOf(moved.right_T_left, room_rays));
+  return is_motion ? OffsetCause::camera_moved : OffsetCause::unknown;
+}
+
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                           const std::optional<cv::Rect>& part) {
+                           const std::vector<cv::Point>& face_px) {
   if (frame.left.empty() || frame.right.empty()) return {};
   const auto all = matchPictures(frame.left, frame.right);
-  auto matches = within(part, all);
+  auto matches = within(face_px, all);
   // Smooth skin has few corners. Its windows decide then.
-  if (part && matches.size() < kFewestMatches)
-    matches = within(part, growMatches(frame.left, frame.right, all));
-  // A face on which nothing matches may be of two moments: then the rest of the pictures decides.
-  const bool is_of_part = part && matches.size() >= kFewestMatches;
-  if (matches.size() < kFewestMatches) matches = all;
+  if (!face_px.empty() && matches.size() < kFewestMatches)
+    matches = within(face_px, growMatches(frame.left, frame.right, all));
+  if (!face_px.empty() && matches.size() < kFewestMatches) return withoutFace(rig, all);
   auto diagnosis = diagnoseMatches(rig, matches);
-  diagnosis.is_of_part = is_of_part;
-  if (!diagnosis.isOfCameras()) return diagnosis;
-  diagnosis = withSkin(rig, diagnosis, growMatches(frame.left, frame.right, matches));
-  // After the skin: pictures of two moments may differ by as little.
-  if (diagnosis.state == RigState::moved && isWithinCalibration(rig, matches))
-    diagnosis.state = RigState::holds;
+  diagnosis.is_of_face = !face_px.empty();
+  if (diagnosis.isOfCameras()) {
+    diagnosis = withSkin(rig, diagnosis, within(face_px, growMatches(frame.left, frame.right, matches)));
+    // After the skin: pictures of two moments may differ by as little.
+    if (diagnosis.state == RigState::moved && isWithinCalibration(rig, matches))
+      diagnosis.state = RigState::holds;
+  }
+  if (!face_px.empty() && diagnosis.isOfCameras() &&
+      likelierCause(rig, matches, inRoom(face_px, all)) == OffsetCause::two_exposures)
+    diagnosis.state = RigState::out_of_step;
   return diagnosis;
 }
 
 OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                          const cv::Rect& face) {
-  if (frame.left.empty() || frame.right.empty()) return OffsetCause::unknown;
+                          const std::vector<cv::Point>& face_px) {
+  if (frame.left.empty() || frame.right.empty() || face_px.empty()) return OffsetCause::unknown;
   const auto all = matchPictures(frame.left, frame.right);
-  const cv::Rect person(face.x - face.width, face.y - face.height, 3 * face.width, frame.left.rows);
-  std::vector<Correspondence> on_face, in_room;
-  for (const auto& match : all) {
-    const cv::Point at(int(match.left_px.x()), int(match.left_px.y()));
-    if (face.contains(at)) on_face.push_back(match);
-    if (!person.contains(at)) in_room.push_back(match);
-  }
-  if (on_face.size() < kFewestMatches || in_room.size() < kFewestMatches) return OffsetCause::unknown;
-  if (diagnoseMatches(rig, in_room).state == RigState::holds) return OffsetCause::two_exposures;
-  const auto both = diagnoseMatches(rig, all);
-  const Eigen::Isometry3d moved = both.right_T_left.isometry();
-  const bool is_one_motion = both.isOfCameras() && isExplained(fitOf(moved, raysOf(rig, on_face, false))) &&
-                             isExplained(fitOf(moved, raysOf(rig, in_room, false)));
-  return is_one_motion ? OffsetCause::camera_moved : OffsetCause::unknown;
+  return likelierCause(rig, within(face_px, all), inRoom(face_px, all));
 }
 
 }  // namespace facenav::health

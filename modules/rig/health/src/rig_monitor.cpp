@@ -55,14 +55,6 @@ RigMonitor::RigMonitor(const cameras::StereoRig& rig, cameras::RigUncertainty un
 
 void RigMonitor::add(const std::vector<Correspondence>& points) {
   for (const Correspondence& point : points) {
-    const cv::Rect here(int(point.left_px.x()), int(point.left_px.y()), 1, 1);
-    region_ = region_ ? *region_ | here : here;
-  }
-  addPoints(points);
-}
-
-void RigMonitor::addPoints(const std::vector<Correspondence>& points) {
-  for (const Correspondence& point : points) {
     const double residual_px = cameras::epipolarResidual_px(rig_, point.left_px, point.right_px);
     if (!(std::abs(residual_px) < kGross_px)) continue;
     const double depth_mm = cameras::triangulate(rig_, point.left_px, point.right_px).mm.z();
@@ -81,7 +73,7 @@ void RigMonitor::addPoints(const std::vector<Correspondence>& points) {
 void RigMonitor::add(const SquareObservation& square) {
   std::vector<Correspondence> corners;
   for (int i = 0; i < 4; ++i) corners.push_back({square.left_px[i], square.right_px[i], 0.05});
-  addPoints(corners);
+  add(corners);
   const double error = sizeError(rig_, square);
   if (!std::isfinite(error)) return;
   const double depth_mm = cameras::triangulate(rig_, square.left_px[0], square.right_px[0]).mm.z();

@@ -1,6 +1,7 @@
 #include "facenav/health/surface_matches.h"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "facenav/cameras/patch_match.h"
 
@@ -21,6 +22,13 @@ std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const ca
       found.push_back({left, match->right_px, match->sigma_px});
   }
   return found;
+}
+
+std::vector<cv::Point> outlineOf(const std::vector<Eigen::Vector2f>& left_px) {
+  std::vector<cv::Point> points, outline;
+  for (const auto& px : left_px) points.emplace_back(int(px.x()), int(px.y()));
+  if (!points.empty()) cv::convexHull(points, outline);
+  return outline;
 }
 
 }  // namespace facenav::health

@@ -302,7 +302,8 @@ AlignmentOutcome alignFromCapture(const cameras::StereoRig& rig, const capture::
     fit(rig, setup, field, measured, capture.plain, monitor, outcome);
   };
   if (const auto failure = withoutLandmarksIfMisled(outcome.landmarks, measureAndFit))
-    refuseAlignment(rig, capture, from, failure, is_measured && face_box, setup.matcher, face_box);
+    refuseAlignment(rig, capture, from, failure, is_measured && face_box, setup.matcher,
+                    outcome.landmarks.left);
   conclude(rig, setup, capture.plain, outcome);
   if (has_dots) requireStillHead(rig, outcome);
   return outcome;
@@ -327,8 +328,7 @@ AlignmentOutcome alignFromFilm(capture::FrameSource& film, std::int64_t first, s
   const cameras::StereoFrame& plain = *measured.first;
   if (const auto failure = failureOf([&] { fit(film.rig(), setup, field, plain, plain, monitor, outcome); }))
     refuseAlignment(film.rig(), {plain, plain}, outcome.from, failure, outcome.landmarks.centre.has_value(),
-                    outcome.matcher,
-                    outcome.landmarks.left ? std::optional(outcome.landmarks.left->face) : std::nullopt);
+                    outcome.matcher, outcome.landmarks.left);
   conclude(film.rig(), setup, plain, outcome);
   return outcome;
 }

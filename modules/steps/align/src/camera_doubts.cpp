@@ -31,19 +31,20 @@ std::string wordsOf(const std::exception_ptr& failure) {
 [[noreturn]] void refuseAlignment(const cameras::StereoRig& rig, const capture::CapturePair& capture,
                                   measured_face::AlignedFrom from, const std::exception_ptr& failure,
                                   bool is_measured, const std::string& matcher,
-                                  const std::optional<cv::Rect>& face) {
+                                  const std::optional<face::FaceLandmarks>& face) {
   try {
     std::rethrow_exception(failure);
   } catch (const registration::PersonUnclear&) {
     throw;  // the face fits: nothing about the cameras is to be explained
   } catch (const Error&) {
   }
-  const auto diagnosis = health::diagnosePair(rig, capture.plain, face);
+  const auto diagnosis =
+      health::diagnosePair(rig, capture.plain, face ? face::outlineOf(*face) : std::vector<cv::Point>());
   // Stripes and wallpaper match in wrong places too, as if they were of two moments: only the face explains.
-  const bool is_told = diagnosis.is_of_part || diagnosis.state != health::RigState::out_of_step;
+  const bool is_told = diagnosis.is_of_face || diagnosis.state != health::RigState::out_of_step;
   if (diagnosis.isFault() && is_told) throw health::RigError(diagnosis, "not aligned: ");
   if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture) ||
-      measured_face::showsDots(capture, face)) {
+      (face && measured_face::showsDots(capture, face->face))) {
     if (is_measured) std::rethrow_exception(failure);
     throw NotMeasured(wordsOf(failure));
   }

@@ -87,7 +87,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     }
     is_face_found = true;
     Start start{{*frame, {}, {}}, camera_T_mri};
-    start.reference.face_px = face->left.face;
+    start.reference.face_px = face::outlineOf(face->left);
     try {
       started.navigator = makeNavigator(methods, request, recording.rig, std::move(start), coil,
                                         methods.head_trackers.create(request.head_tracker));
@@ -144,7 +144,7 @@ StartedTracking startTracking(const Registrations& methods, const TrackRequest& 
   if (!recording.capture && isFromFilm(store)) {
     start = {{capture->plain, {}, {}}, store.alignment()->camera_T_mri};
     if (const auto face = face::findStereoFace(*methods.face_detector(), recording.rig, capture->plain))
-      start.reference.face_px = face->left.face;
+      start.reference.face_px = face::outlineOf(face->left);
   } else {
     capture::Recording pictures = recording;
     pictures.capture = capture;
@@ -172,7 +172,7 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
     const auto face = face::findStereoFace(*detector, source.rig(), *frame);
     if (!face) continue;
     Start start{{*frame, {}, {}}, std::nullopt};
-    start.reference.face_px = face->left.face;
+    start.reference.face_px = face::outlineOf(face->left);
     try {
       StartedTracking started;
       started.navigator = makeNavigator(methods, request, source.rig(), std::move(start), coil,

@@ -46,6 +46,26 @@ TEST(FaceDetector, FindsThePortraitAndItsEyesUprightAndLeaning) {
   }
 }
 
+TEST(FaceOutline, HoldsTheFaceAndNotTheRestOfItsBox) {
+  FaceLandmarks face;
+  face.face = {100, 200, 100, 120};
+  const auto isIn = [&](double x, double y) {
+    return cv::pointPolygonTest(outlineOf(face), {float(x), float(y)}, false) > 0;
+  };
+  EXPECT_TRUE(isIn(150, 260));   // middle
+  EXPECT_FALSE(isIn(103, 317));  // corner of the box: a shoulder
+  EXPECT_FALSE(isIn(197, 203));
+  face.points68.assign(68, {150, 260});
+  for (int i = 0; i <= 16; ++i)  // jaw
+    face.points68[i] = {150 - 40 * std::cos(M_PI * i / 16), 250 + 60 * std::sin(M_PI * i / 16)};
+  for (int i = 17; i <= 26; ++i) face.points68[i] = {115.0 + 7 * (i - 17), 235};  // brows
+  face.points68[33] = {150, 275};                                                 // base of the nose
+  EXPECT_TRUE(isIn(150, 300));                                                    // chin
+  EXPECT_TRUE(isIn(150, 212));                                                    // forehead, above the brows
+  EXPECT_FALSE(isIn(150, 200));                                                   // hair
+  EXPECT_FALSE(isIn(103, 317));
+}
+
 TEST(FaceDetector, FindsNothingInNoise) {
   cv::Mat noise(480, 640, CV_8U);
   cv::RNG random(7);

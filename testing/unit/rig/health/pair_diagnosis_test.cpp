@@ -150,6 +150,47 @@ TEST(PairDiagnosis, AsksNoSkinWhereTheRigHolds) {
   EXPECT_EQ(said.state, RigState::holds);
 }
 
+/// Matches of a room that stands still, 400 to 900 mm behind the face of `seen`.
+Matches seenRoom(const StereoRig& rig) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal(0, 0.2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Matches room;
+  for (int i = 0; i < 60; ++i) {
+    const Eigen::Vector3d at(300 * uniform(random), 200 * uniform(random), 1250 + 250 * uniform(random));
+    Eigen::Vector2d left = project(rig.left, at),
+                    right = project(rig.right, rig.right_T_left.isometry() * at);
+    for (Eigen::Vector2d* px : {&left, &right}) *px += Eigen::Vector2d(normal(random), normal(random));
+    room.push_back({left, right, 0.2});
+  }
+  return room;
+}
+
+Matches faceOf(Matches matches) {
+  matches.resize(120);
+  return matches;
+}
+
+TEST(OffsetCause, IsTheHeadWhereTheRoomFits) {
+  const auto rig = testing::convergingRig();
+  const Eigen::Isometry3d step = expRigid((Vector6d() << 0.002, 0.001, 0, 1, 3, -1).finished());
+  EXPECT_EQ(likelierCause(rig, faceOf(seen(rig, step)), seenRoom(rig)), OffsetCause::two_exposures);
+}
+
+TEST(OffsetCause, IsACameraWhereFaceAndRoomMovedAlike) {
+  const auto rig = testing::convergingRig(), calibrated = turnedRig(rig, {0.3, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(likelierCause(calibrated, faceOf(seen(rig)), seenRoom(rig)), OffsetCause::camera_moved);
+}
+
+TEST(OffsetCause, IsUnknownWithoutARoomAndWithWallpaperThatMatchesAnywhere) {
+  const auto rig = testing::convergingRig(), calibrated = turnedRig(rig, {0.3, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(likelierCause(calibrated, faceOf(seen(rig)), {}), OffsetCause::unknown);
+  Matches wallpaper = seenRoom(rig);
+  for (std::size_t i = 0; i < wallpaper.size(); ++i)
+    wallpaper[i].right_px.y() += 12.0 * double(int(i % 5) - 2);
+  EXPECT_NE(likelierCause(calibrated, faceOf(seen(rig)), wallpaper), OffsetCause::two_exposures);
+}
+
 /// A real person before real cameras, with exact rigs.
 class RealPair : public ::testing::Test {
  protected:

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "facenav/geometry/rotation.h"
-
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kForeheadShare =
-    0.7;  // height of usable forehead by the distance from brow to base of the nose
 constexpr int kSkull = 100, kJaw = 60, kMoving = 30;  // rigidity in per cent
 
 cv::Point toPoint(const Eigen::Vector2d& p) { return {int(std::lround(p.x())), int(std::lround(p.y()))}; }
@@ -28,24 +24,13 @@ std::vector<cv::Point> select(const std::vector<Eigen::Vector2d>& points, int fi
   return hullOf(chosen);
 }
 
-std::vector<cv::Point> outline(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& up) {
-  std::vector<cv::Point> outer;
-  for (int i = 0; i <= 16; ++i) outer.push_back(toPoint(points[i]));
-  for (int i = 17; i <= 26; ++i) outer.push_back(toPoint(points[i] + up));
-  return hullOf(outer);
-}
-
 }  // namespace
 
 FaceRegion::FaceRegion(const face::FaceLandmarks& face, cv::Size size) : rigidity_percent_(size, uchar(0)) {
-  if (face.points68.size() != 68) {
-    const cv::Point centre(face.face.x + face.face.width / 2, face.face.y + face.face.height / 2);
-    cv::ellipse(rigidity_percent_, centre, {int(0.36 * face.face.width), int(0.45 * face.face.height)},
-                face.roll_rad * kDegPerRad, 0, 360, kSkull, cv::FILLED);
-  } else {
+  cv::fillConvexPoly(rigidity_percent_, face::outlineOf(face), kSkull);
+  if (face.points68.size() == 68) {
     const auto& p = face.points68;
     const Eigen::Vector2d brow = 0.5 * (p[21] + p[22]), down = p[33] - brow;
-    cv::fillConvexPoly(rigidity_percent_, outline(p, -kForeheadShare * down), kSkull);
     cv::Mat1b lower(size, uchar(0));  // everything below the base of the nose
     const Eigen::Vector2d across = 5.0 * Eigen::Vector2d(-down.y(), down.x()), base = p[33] + 0.05 * down;
     cv::fillConvexPoly(

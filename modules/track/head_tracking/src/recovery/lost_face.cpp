@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/core/processor_time.h"
+#include "facenav/health/surface_matches.h"
 #include "head/pose_fit.h"
 #include "head/track_verdict.h"
 
@@ -33,12 +34,12 @@ double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_ca
          logNormal((std::max(share, kOtherDetail) - kOtherDetail) / other_sigma, other_sigma);
 }
 
-/// Box of the skin that was found in the left picture, px.
-cv::Rect boxOf(const std::vector<SkinMatch>& matches) {
-  std::vector<cv::Point> points;
+/// Outline of the skin that was found in the left picture, px.
+std::vector<cv::Point> outlineOf(const std::vector<SkinMatch>& matches) {
+  std::vector<Eigen::Vector2f> left_px;
   for (const SkinMatch& match : matches)
-    if (match.camera == 0) points.emplace_back(int(match.px.x()), int(match.px.y()));
-  return points.empty() ? cv::Rect() : cv::boundingRect(points);
+    if (match.camera == 0) left_px.push_back(match.px.cast<float>());
+  return health::outlineOf(left_px);
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   found.camera_T_head = found.face.pose.camera_T_head;
   found.identify();
   if (question.is_diagnosed && (found.is_out_of_step || found.face.lines.isOutOfStep()))
-    found.diagnosed = health::causeOfOffset(question.rig, question.frame, boxOf(found.face.pose.matches));
+    found.diagnosed = health::causeOfOffset(question.rig, question.frame, outlineOf(found.face.pose.matches));
   if (!found.is_patient) return found;
   found.frame = question.frame;
   const std::array<ImagePyramid, 2> now = {ImagePyramid(question.frame.left),

@@ -21,6 +21,10 @@ struct FaceLandmarks {
   double score = 0.0;                     // of the detector; larger: surer
 };
 
+/// The skin from chin to forehead, a convex polygon in px of the image. Without landmarks: an ellipse in the
+/// face's box. The box itself holds clothes and walls too.
+std::vector<cv::Point> outlineOf(const FaceLandmarks& face);
+
 class FaceDetector {
  public:
   virtual ~FaceDetector() = default;

@@ -30,7 +30,7 @@ struct PairDiagnosis {
   double agreement = 0;  // share of the matches that fit the best explanation
   double calibrated_agreement = 0;
   double residual_px = 0;   // median residual under the calibration
-  bool is_of_part = false;  // the matches are those of the asked part of the picture
+  bool is_of_face = false;  // the matches are those of the face
   double skin_px = 0;       // residual common to neighbouring skin under the best explanation; 0: not tested
   /// The best explanation's pose of the right camera (the baseline's length is the calibration's).
   RigidTransform<RightCamera, Camera> right_T_left;
@@ -49,23 +49,28 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
 PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
                        const std::vector<Correspondence>& skin);
 /// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
-/// fit. `part` of the left picture, px: only its matches count; empty: the whole picture. Give the face where
-/// it is known: clothes and walls at the edge lie where no board was shown, and the lens model is a guess
-/// there. If too little of that part matches, the whole picture counts. `moved` is said only where the
-/// calibration's own errors do not explain the matches (RigMonitor).
+/// fit. `face_px`: outline of the face in the left picture; empty: unknown, then the whole picture counts.
+/// Give it where it is known: clothes and wallpaper repeat and match in wrong places, and lie where no board
+/// was shown and the lens model is a guess. If too little of the face matches, the rest can tell exchanged
+/// pictures and two moments only. `moved` is said only where the calibration's own errors do not explain the
+/// matches (RigMonitor), and the room does not say that the head moved alone (likelierCause).
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                           const std::optional<cv::Rect>& part = {});
+                           const std::vector<cv::Point>& face_px = {});
 
 /// Cause of a face that is off its epipolar lines.
 enum class OffsetCause {
-  unknown,        // the room shows too few matches to tell
+  unknown,        // the room shows too little to tell
   camera_moved,   // face and room are off by one motion of a camera
   two_exposures,  // the room is on its lines: the head moved between the exposures
 };
 
-/// The cause by the room around the face, which stands still. `face`: in the left picture, px; body and hair
-/// around it do not count. Takes about 0.3 s.
+/// The likelier cause, by the room, which stands still: one motion of the right camera explains face and
+/// room, or the room fits the calibration and the face moved alone.
+OffsetCause likelierCause(const cameras::StereoRig& rig, const std::vector<Correspondence>& face,
+                          const std::vector<Correspondence>& room);
+/// The likelier cause in a pair of pictures. `face_px`: outline in the left picture; body and hair around it
+/// do not count. Takes about 0.3 s.
 OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                          const cv::Rect& face);
+                          const std::vector<cv::Point>& face_px);
 
 }  // namespace facenav::health

@@ -21,11 +21,11 @@ class RigHealth {
  public:
   explicit RigHealth(const cameras::StereoRig& rig) : rig_(rig), monitor_(rig), drift_(rig) {}
   /// Starts with the session's reference pair and the face measured in it (Camera, mm, with its pixels in the
-  /// left image; may be empty). Checks whether the pair fits the rig (half a second). `face_px`: where the
-  /// face lies in the left image, if no surface says so. Only matches on the face count; without a face those
-  /// of the whole pair do.
+  /// left image; may be empty). Checks whether the pair fits the rig (half a second). `face_px`:
+  /// outline of the face in the left image; empty: that of the measured one. Only matches on the face count;
+  /// without a face those of the whole pair do.
   void start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
-             const std::vector<Eigen::Vector2f>& left_px, const std::optional<cv::Rect>& face_px = {});
+             const std::vector<Eigen::Vector2f>& left_px, const std::vector<cv::Point>& face_px);
   /// Adds the next frame, which was tracked with right_T_left() as of the frame before.
   void add(const RigObservation& seen);
   /// Reason why no pose can be trusted, as of the last judgement (some frames ago); nullopt if no fault is

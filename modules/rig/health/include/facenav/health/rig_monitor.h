@@ -51,8 +51,6 @@ class RigMonitor {
   /// Adds the points of one frame. Takes some microseconds a point.
   void add(const std::vector<Correspondence>& points);
   void add(const SquareObservation& square);
-  /// The part of the left picture in which points were added, px; empty: none were.
-  std::optional<cv::Rect> region() const { return region_; }
   /// Estimates. Takes about a millisecond: call it for every 30th frame, not for each.
   RigEstimate estimate() const;
 
@@ -67,8 +65,6 @@ class RigMonitor {
     double error = 0, variance = 0, count = 0;
   };
   class Evaluation;
-  void addPoints(const std::vector<Correspondence>& points);
-  std::optional<cv::Rect> region_;
   cameras::StereoRig rig_;
   cameras::RigUncertainty uncertainty_;
   std::map<std::array<int, 3>, Cell> cells_;  // column, row, depth

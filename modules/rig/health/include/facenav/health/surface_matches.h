@@ -16,4 +16,7 @@ std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const ca
                                          const PointCloud<Camera>& surface,
                                          const std::vector<Eigen::Vector2f>& left_px, std::size_t most = 600);
 
+/// Outline of a surface in the left image, px: the convex hull of its pixels; empty without a surface.
+std::vector<cv::Point> outlineOf(const std::vector<Eigen::Vector2f>& left_px);
+
 }  // namespace facenav::health

@@ -50,8 +50,7 @@ struct HeadReference {
   PointCloud<Camera> surface;  // if empty, depth is measured in the frame itself
   std::vector<Eigen::Vector2f> surface_left_px;
   std::vector<FaceKeyFrame> key_frames = {};  // the patient's face in earlier sessions
-  std::optional<cv::Rect> face_px =
-      {};  // the face in the left image, where `surface` does not tell its place
+  std::vector<cv::Point> face_px = {};        // outline of the face in the left image; empty: unknown
 };
 
 /// When and where work runs that takes longer than a frame (recovery of a lost face).
