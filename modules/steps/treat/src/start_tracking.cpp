@@ -148,11 +148,9 @@ StartedTracking startTracking(const Registrations& methods, const TrackRequest& 
   } else {
     capture::Recording pictures = recording;
     pictures.capture = capture;
-    AlignOrder order{request.aligner, request.head_tracker};
-    order.coil = coil;
-    order.may_be_unsure = true;  // nobody is treated from a recording
+    AlignOrder order = alignOrderOf(request, coil);
     order.is_patient_confirmed =
-        request.is_patient_confirmed || (!recording.capture && store.alignment()->rests_on_confirmation);
+        order.is_patient_confirmed || (!recording.capture && store.alignment()->rests_on_confirmation);
     started.alignment = alignRecording(methods, store, pictures, order, monitor).outcome;
     start = {started.alignment->reference, started.alignment->result.camera_T_mri, started.alignment->scalp};
   }

@@ -73,6 +73,14 @@ double quantile(std::vector<double> values, double fraction) {
 
 }  // namespace
 
+AlignOrder alignOrderOf(const TrackRequest& request, const coil_tracking::CoilModel& coil) {
+  AlignOrder order{request.aligner, request.head_tracker};
+  order.coil = coil;
+  order.may_be_unsure = true;
+  order.is_patient_confirmed = request.is_patient_confirmed;
+  return order;
+}
+
 TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& request, TaskMonitor& monitor,
                             const std::function<void(const session::NavigationState&)>& on_frame) {
   const auto recording = capture::openRecording(request.recording);

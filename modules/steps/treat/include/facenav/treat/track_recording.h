@@ -43,6 +43,10 @@ struct TrackOutcome {
   std::array<double, 2> readout_ms{0, 0};
   double processing_ms_median = 0, processing_ms_p99 = 0;
 };
+/// Returns how `trackRecording` aligns the case. An unsure alignment will do: nobody is treated from a
+/// recording.
+AlignOrder alignOrderOf(const TrackRequest& request, const coil_tracking::CoilModel& coil);
+
 /// Tracks the recording. `on_frame` (may be empty) is called with every state. Throws Error, also when
 /// neither face nor marker was found in any frame.
 TrackOutcome trackRecording(const Registrations& methods, const TrackRequest& request, TaskMonitor& monitor,
