@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
+#include <random>
 
 #include "evaluate/evaluation_head.h"
 #include "facenav/core/error.h"
@@ -69,7 +71,7 @@ const GateHeads::Base& GateHeads::base(std::size_t number) {
   return bases_[number] = {std::move(head.scalp), std::move(head.patient), has_face};
 }
 
-WorldHead GateHeads::of(const room::World& world, std::size_t further) {
+std::size_t GateHeads::numberOf(const room::World& world, std::size_t further) {
   std::size_t number = std::min(specs_.size() - 1, std::size_t(world.person.head * double(specs_.size())));
   // A head without a face is passed over: the scan ends above it, or the room's portrait would be misplaced.
   const auto passFaceless = [&] {
@@ -84,14 +86,40 @@ WorldHead GateHeads::of(const room::World& world, std::size_t further) {
     number = (number + 1) % specs_.size();
     passFaceless();
   }
+  return number;
+}
+
+std::string GateHeads::nameOf(std::size_t number) const {
+  return fs::path(specs_[number]).stem().stem().string();
+}
+
+WorldScan GateHeads::makeScan(std::size_t number, const room::World& world) {
   const Base& head = base(number);
-  WorldHead of_world;
-  of_world.name = fs::path(specs_[number]).stem().stem().string();
-  of_world.scalp = shaped(head.scalp, room::shapeOf(world, *head.person));
-  of_world.person = std::make_shared<const room::VirtualPatient>(room::personOf(world, *head.person));
-  of_world.target =
-      Point<Mri>(of_world.person->landmarks68_mm[27] - kTargetBehind_mm * Eigen::Vector3d::UnitY());
-  return of_world;
+  const room::PersonShape shape = room::shapeOf(world, *head.person);
+  const Eigen::Vector3d bridge_mm = shape(head.person->landmarks68_mm[27]);
+  return {nameOf(number), shaped(head.scalp, shape),
+          Point<Mri>(bridge_mm - kTargetBehind_mm * Eigen::Vector3d::UnitY())};
+}
+
+WorldHead GateHeads::of(const room::World& world, std::size_t further) {
+  const std::size_t number = numberOf(world, further);
+  return {makeScan(number, world),
+          std::make_shared<const room::VirtualPatient>(room::personOf(world, *base(number).person))};
+}
+
+WorldScan GateHeads::scanOf(const room::World& world) { return makeScan(numberOf(world, 0), world); }
+
+std::vector<WorldScan> GateHeads::strangersOf(const room::World& world, std::size_t count) {
+  const std::string own = nameOf(numberOf(world, 0));
+  std::vector<std::size_t> numbers(specs_.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  std::mt19937_64 random(world.seed);
+  std::shuffle(numbers.begin(), numbers.end(), random);
+  std::vector<WorldScan> scans;
+  for (const std::size_t number : numbers)
+    if (scans.size() < count && nameOf(number) != own && base(number).has_face)
+      scans.push_back(makeScan(number, world));
+  return scans;
 }
 
 }  // namespace facenav::app

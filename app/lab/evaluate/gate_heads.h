@@ -14,12 +14,16 @@
 
 namespace facenav::app {
 
-/// The person of a world and the skin of this person's scan.
-struct WorldHead {
-  std::string name;
+/// The skin of a person's scan.
+struct WorldScan {
+  std::string name;  // of the head
   surface::ScalpSurface scalp;
-  std::shared_ptr<const room::VirtualPatient> person;
   Point<Mri> target;  // 80 mm behind the bridge of the nose
+};
+
+/// The person of a world, and this person's scan.
+struct WorldHead : WorldScan {
+  std::shared_ptr<const room::VirtualPatient> person;
 };
 
 class GateHeads {
@@ -28,7 +32,11 @@ class GateHeads {
   GateHeads(Context& context, std::filesystem::path labels);
   /// Makes the head of a world. `further`: another head of the list, for another person.
   WorldHead of(const room::World& world, std::size_t further = 0);
-  std::size_t size() const { return specs_.size(); }
+  /// Makes the scan of the world's own head.
+  WorldScan scanOf(const room::World& world);
+  /// Makes the scans of other persons, in the world's shape. The world's seed draws whose; none has the name
+  /// of the world's own head. Fewer than `count` if there are no more heads.
+  std::vector<WorldScan> strangersOf(const room::World& world, std::size_t count);
 
  private:
   struct Base {
@@ -37,6 +45,9 @@ class GateHeads {
     bool has_face = false;
   };
   const Base& base(std::size_t number);
+  std::size_t numberOf(const room::World& world, std::size_t further);
+  std::string nameOf(std::size_t number) const;
+  WorldScan makeScan(std::size_t number, const room::World& world);
 
   Context& context_;
   std::vector<std::string> specs_;

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "evaluate/gate_case.h"
 #include "evaluate/gate_truth.h"
 #include "evaluate/gate_words.h"
 #include "evaluate/mirrored_scan.h"
 #include "facenav/align/film_beginning.h"
-#include "facenav/casefile/case_store.h"
 #include "facenav/core/processor_time.h"
 #include "facenav/evaluation/frame_errors.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/measured_face/aligned_from.h"
-#include "facenav/treat/track_recording.h"
 
 namespace facenav::app {
 namespace fs = std::filesystem;
@@ -21,30 +20,6 @@ namespace {
 using room::WorldFault;
 
 constexpr double kFoundWithin_s = 0.2, kLeastVisible = 0.3;
-constexpr const char* kTarget = "behind the bridge of the nose";
-
-/// A scan whose voxels nobody reads: alignment and tracking use the skin alone.
-volume::Volume emptyScan() {
-  volume::Volume scan;
-  scan.grid.size = {8, 8, 8};
-  scan.grid.mri_from_voxel = Eigen::Affine3d(Eigen::Translation3d(-112, -112, -112)) * Eigen::Scaling(32.0);
-  scan.voxels.assign(512, 0.f);
-  scan.orientation_source = "sform";
-  return scan;
-}
-
-void makeCase(const surface::ScalpSurface& scalp, const Point<Mri>& target, const fs::path& folder) {
-  casefile::PreparedCase prepared;
-  prepared.mri = emptyScan();
-  prepared.head_mask = {prepared.mri.grid, std::vector<std::uint8_t>(512, 1)};
-  prepared.scalp = scalp;
-  const auto store = casefile::CaseStore::create(folder, prepared, {}, true);
-  guidance::Target there;
-  there.name = kTarget;
-  there.cortex_point = there.scalp_point = target;
-  there.mri_T_target = {Eigen::Quaterniond::Identity(), target.mm};
-  store.setTargets({{there}});
-}
 
 struct Trial {
   WorldHead head;
@@ -87,11 +62,12 @@ void record(Trial& trial) {
 }
 
 /// The scan that the case holds.
-surface::ScalpSurface scanOf(GateHeads& heads, const Trial& trial, const GateRow& row) {
-  if (row.fault.kind == WorldFault::mirrored) return mirrored(trial.head.scalp);
+WorldScan scanOf(GateHeads& heads, const Trial& trial, const GateRow& row) {
+  WorldScan scan = trial.head;
+  if (row.fault.kind == WorldFault::mirrored) scan.scalp = mirrored(scan.scalp);
   if (row.fault.kind == WorldFault::other_person && row.fault.is_from_start)
-    return heads.of(row.world, 1).scalp;
-  return trial.head.scalp;
+    scan.scalp = heads.of(row.world, 1).scalp;
+  return scan;
 }
 
 /// True if the frame (-1: the capture) has no right pose of this scan.
@@ -131,7 +107,7 @@ void noteAlignment(const Context& context, const Trial& trial, GateRow& row) {
   const auto truth = seenTruth(trial, alignedFrame(context, trial, *alignment), false);
   const auto off = offBy(alignment->camera_T_mri.isometry(), truth, trial.head.target);
   row.start_mm = off.mm, row.start_deg = off.deg;
-  const auto bound = alignment->predicted_tre_p95_mm.find(kTarget);
+  const auto bound = alignment->predicted_tre_p95_mm.find(kGateTarget);
   if (bound != alignment->predicted_tre_p95_mm.end()) row.bound_mm = bound->second;
   for (const auto& caution : alignment->cautions)
     for (const auto& name : faultsNamedIn(caution))
@@ -173,47 +149,36 @@ std::string inWords(const std::map<std::string, int>& losses) {
   return words;
 }
 
-/// The program's words without the trial's own folder.
-std::string wordsOf(const Error& refusal, const Trial& trial) {
-  std::string words = refusal.what();
-  const std::string folder = trial.recording.parent_path().string() + "/";
-  for (std::size_t at; (at = words.find(folder)) != std::string::npos;) words.erase(at, folder.size());
-  return words;
-}
-
-steps::TrackRequest requestOf(const Context& context, const Trial& trial) {
-  steps::TrackRequest request;
-  request.recording = trial.recording;
-  request.aligner = context.registrations.aligners.defaultName();
-  request.head_tracker = context.registrations.head_trackers.defaultName();
-  request.coil_tracker = context.registrations.coil_trackers.defaultName();
-  return request;
-}
-
 /// Tracks without the scan, where the alignment was refused.
 void trackAlone(Context& context, const Trial& trial, GateRow& row) {
   int tracked = 0, frames = 0;
   try {
     steps::trackRecording(
-        context.registrations, requestOf(context, trial), context.monitor,
+        context.registrations, gateRequest(context, trial.recording), context.monitor,
         [&](const session::NavigationState& state) { ++frames, tracked += state.head.isTracked(); });
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& refusal) {
-    row.refusal_alone = wordsOf(refusal, trial);
+    row.refusal_alone = gateWords(refusal, trial.recording.parent_path());
   }
   if (frames > 0) row.tracked_alone = double(tracked) / frames;
 }
 
-/// Tracks with the case. Throws registration::PersonUnclear where a person is to be asked.
-void trackWith(Context& context, const Trial& trial, const steps::TrackRequest& request, GateRow& row,
-               bool& has_frames) {
+/// What came of tracking with the case.
+struct CaseTracking {
+  bool has_frames = false;
+  bool is_person_asked = false;  // who the patient is; nothing was tracked
+};
+
+CaseTracking trackWith(Context& context, const Trial& trial, const steps::TrackRequest& request,
+                       GateRow& row) {
+  CaseTracking tracking;
   std::map<std::string, int> losses;
   try {
     const auto outcome = steps::trackRecording(context.registrations, request, context.monitor,
                                                [&](const session::NavigationState& state) {
-                                                 if (!has_frames) noteAlignment(context, trial, row);
-                                                 has_frames = true;
+                                                 if (!tracking.has_frames) noteAlignment(context, trial, row);
+                                                 tracking.has_frames = true;
                                                  noteFrame(state, trial, row, losses);
                                                });
     const double late_ms = 1e3 * row.fault.late_s;
@@ -223,26 +188,25 @@ void trackWith(Context& context, const Trial& trial, const steps::TrackRequest& 
   } catch (const Cancelled&) {
     throw;
   } catch (const registration::PersonUnclear&) {
-    if (!request.is_patient_confirmed && row.fault.kind != WorldFault::other_person) throw;
-    row.refusal = "another person, not confirmed";
+    tracking.is_person_asked = !request.is_patient_confirmed && row.fault.kind != WorldFault::other_person;
+    if (!tracking.is_person_asked) row.refusal = "another person, not confirmed";
   } catch (const Error& refusal) {
-    row.refusal = wordsOf(refusal, trial);
+    row.refusal = gateWords(refusal, trial.recording.parent_path());
     for (const auto& name : faultsNamedIn(row.refusal)) row.named.insert(name);
   }
   row.losses = inWords(losses);
+  return tracking;
 }
 
 void track(Context& context, const Trial& trial, GateRow& row) {
-  auto request = requestOf(context, trial);
+  auto request = gateRequest(context, trial.recording);
   request.case_folder = trial.case_folder;
-  bool has_frames = false;
-  try {
-    trackWith(context, trial, request, row, has_frames);
-  } catch (const registration::PersonUnclear&) {
+  CaseTracking tracking = trackWith(context, trial, request, row);
+  if (tracking.is_person_asked) {
     row.is_confirmed = request.is_patient_confirmed = true;
-    trackWith(context, trial, request, row, has_frames);
+    tracking = trackWith(context, trial, request, row);
   }
-  if (!has_frames && row.fault.kind == WorldFault::none) trackAlone(context, trial, row);
+  if (!tracking.has_frames && row.fault.kind == WorldFault::none) trackAlone(context, trial, row);
 }
 
 }  // namespace
@@ -271,9 +235,9 @@ GateRow runGateTrial(Context& context, GateHeads& heads, std::uint64_t seed, Wor
   at_capture.right_T_left = trial.room->right_T_left(-1);
   row.size_measured =
       sizeAsMeasured(at_capture, trial.stated, trial.room->captureTruth().isometry(), trial.head.target.mm);
-  trial.recording = folder / "recording", trial.case_folder = folder / "case";
+  trial.recording = gateRecordingIn(folder), trial.case_folder = folder / "case";
   record(trial);
-  makeCase(scanOf(heads, trial, row), trial.head.target, trial.case_folder);
+  makeGateCase(scanOf(heads, trial, row), trial.case_folder);
   const double rendered_ms = processorTime_ms();
   row.room_s = 1e-3 * (rendered_ms - start_ms);
   track(context, trial, row);
