@@ -3,10 +3,12 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 
 #include "commands/lab_commands.h"
 #include "evaluate/gate_table.h"
 #include "evaluate/scratch_folder.h"
+#include "evaluate/stranger_pairs.h"
 #include "facenav/core/error.h"
 #include "facenav/core/whole_file.h"
 #include "typed_values.h"
@@ -21,7 +23,8 @@ struct GatesRequest {
   int worlds = 20;
   std::uint64_t seed = 0;
   std::string fault = "none";
-  bool is_even = false, is_odd = false, keeps_pictures = false;
+  int strangers = 0;
+  bool is_even = false, is_odd = false, keeps_pictures = false, uses_kept = false;
   fs::path labels, output;
 };
 
@@ -46,38 +49,75 @@ std::vector<std::uint64_t> seedsOf(const GatesRequest& request) {
   return seeds;
 }
 
-/// The table on disk, a line as soon as it is known, and the summary so far.
+/// What was measured so far.
+struct GateResults {
+  std::vector<GateRow> worlds;
+  std::vector<StrangerRow> strangers;
+};
+
+/// The tables on disk, each line as soon as it is known, and the summary so far.
 class GateFiles {
  public:
-  explicit GateFiles(const fs::path& folder) : folder_(folder) {
+  GateFiles(const fs::path& folder, bool has_worlds) : folder_(folder) {
     if (folder.empty()) return;
     const fs::path file = folder / "worlds.csv";
     if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(file))
       throw Error("exists and is no result of an evaluation of gates", folder.string(),
                   "choose another folder with -o");
     fs::create_directories(folder);
+    if (!has_worlds) {
+      earlier_ = earlierSummary();
+      return;
+    }
     stream_.open(file);
     stream_ << gateHeader() << std::flush;
   }
-  void add(const std::vector<GateRow>& rows) {
+  void addWorld(const GateResults& results) {
     if (folder_.empty()) return;
-    stream_ << gateLine(rows.back()) << std::flush;
-    writeWholeFile(folder_ / "worlds.md", gateSummary(rows));
+    stream_ << gateLine(results.worlds.back()) << std::flush;
+    write(results);
+  }
+  void write(const GateResults& results) const {
+    if (folder_.empty()) return;
+    if (!results.strangers.empty())
+      writeWholeFile(folder_ / "strangers.csv", strangerTable(results.strangers));
+    writeWholeFile(folder_ / "worlds.md", earlier_ + inWords(results));
+  }
+  static std::string inWords(const GateResults& results) {
+    return gateSummary(results.worlds) +
+           (results.strangers.empty() ? "" : strangerSummary(results.strangers));
   }
 
  private:
+  /// The summary of the kept worlds, without that of strangers.
+  std::string earlierSummary() const {
+    std::ifstream stream(folder_ / "worlds.md");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    return text.substr(0, text.find(kStrangersHeading));
+  }
+
   fs::path folder_;
+  std::string earlier_;
   std::ofstream stream_;
 };
 
 /// Runs one trial. A world that cannot be made is left out, with a note.
 void addTrial(Context& context, GateHeads& heads, const GatesRequest& request, std::uint64_t seed,
-              room::WorldFault fault, std::vector<GateRow>& rows) {
+              room::WorldFault fault, GateFiles& files, GateResults& results) {
   const ScratchFolder scratch;
-  const bool is_kept = request.keeps_pictures && !request.output.empty();
+  const bool is_kept = (request.keeps_pictures || request.uses_kept) && !request.output.empty();
   const fs::path kept = request.output / (std::to_string(seed) + "_" + room::nameOf(fault));
+  const fs::path folder = is_kept ? kept : scratch.path();
   try {
-    rows.push_back(runGateTrial(context, heads, seed, fault, is_kept ? kept : scratch.path()));
+    if (!request.uses_kept) {
+      results.worlds.push_back(runGateTrial(context, heads, seed, fault, folder));
+      files.addWorld(results);
+    }
+    if (request.strangers == 0 || fault != room::WorldFault::none) return;
+    const auto pairs =
+        pairStrangers(context, heads, room::drawWorld(seed), std::size_t(request.strangers), folder);
+    results.strangers.insert(results.strangers.end(), pairs.begin(), pairs.end());
+    files.write(results);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& failure) {
@@ -88,20 +128,18 @@ void addTrial(Context& context, GateHeads& heads, const GatesRequest& request, s
 
 void runGates(Context& context, const GatesRequest& request) {
   const auto faults = faultsOf(request.fault);
-  GateFiles files(request.output);
+  GateFiles files(request.output, !request.uses_kept);
   GateHeads heads(context, request.labels);
   const auto seeds = seedsOf(request);
-  std::vector<GateRow> rows;
+  GateResults results;
   double done = 0;
   for (const auto seed : seeds)
     for (const auto fault : faults) {
       context.monitor.report("world " + std::to_string(seed) + ", " + room::nameOf(fault),
                              done++ / double(seeds.size() * faults.size()));
-      const std::size_t before = rows.size();
-      addTrial(context, heads, request, seed, fault, rows);
-      if (rows.size() > before) files.add(rows);
+      addTrial(context, heads, request, seed, fault, files, results);
     }
-  if (!context.is_quiet) std::printf("%s", gateSummary(rows).c_str());
+  if (!context.is_quiet) std::printf("%s", GateFiles::inWords(results).c_str());
 }
 
 }  // namespace
@@ -125,10 +163,23 @@ void addEvaluateGates(CLI::App& evaluate, Context& context) {
       ->excludes(even);
   verb->add_option("--labels", request->labels,
                    "folder of labelled heads (else FACENAV_SHARED_DATA/head_labels)");
-  verb->add_flag("--keep", request->keeps_pictures,
-                 "keep each world's recording and case in the output folder");
-  verb->add_option("-o,--output", request->output, "folder for worlds.csv and worlds.md")
-      ->check(folderToMake());
+  auto* strangers =
+      verb->add_option(
+              "--strangers", request->strangers,
+              "also align each world without a fault to the scans of so many other heads, and to the "
+              "mirrored one: strangers.csv")
+          ->check(CLI::Range(0, 1000))
+          ->capture_default_str();
+  auto* keep = verb->add_flag("--keep", request->keeps_pictures,
+                              "keep each world's recording and case in the output folder");
+  auto* output =
+      verb->add_option("-o,--output", request->output, "folder for worlds.csv, strangers.csv and worlds.md")
+          ->check(folderToMake());
+  verb->add_flag("--kept", request->uses_kept,
+                 "only --strangers, with the worlds that --keep left in the output folder")
+      ->needs(strangers)
+      ->needs(output)
+      ->excludes(keep);
   verb->callback([&context, request] { runGates(context, *request); });
 }
 
