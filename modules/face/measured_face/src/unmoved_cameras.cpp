@@ -1,5 +1,6 @@
 #include "facenav/measured_face/unmoved_cameras.h"
 
+#include "facenav/core/number_text.h"
 #include "facenav/health/pair_diagnosis.h"
 #include "facenav/health/rig_error.h"
 #include "facenav/health/rig_monitor.h"
@@ -25,8 +26,14 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
   // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.
   const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});
-  if (diagnosis.state != health::RigState::holds || is_clear)
+  if (is_clear)
     throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");
+  if (diagnosis.state != health::RigState::holds)
+    throw health::RigError(
+        formatted("not aligned: the pictures do not fit the calibration (%.2f px across the epipolar lines): "
+                  "a camera has moved since, or they were taken at two moments",
+                  estimate.epipolar_px),
+        {}, "trigger both cameras together; if they are, calibrate again");
 }
 
 }  // namespace facenav::measured_face

@@ -186,6 +186,7 @@ struct Attempts {
   std::size_t used_ = 0;
   bool is_patient_confirmed_;
   std::optional<Error> error_;
+  std::optional<Error> mirrored_;   // of a way whose face fits the mirror image better
   bool is_turn_unknown_ = false;    // error_ says so
   bool is_person_unclear_ = false;  // likewise
   bool has_head_moved_ = false;     // likewise: with a still head the dots would do
@@ -218,6 +219,14 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
+  } catch (const registration::Mirrored& error) {
+    now.refusal = inWordsOf(store, error.what());
+    if (!best_) throw Error(now.refusal);
+    mirrored_ = error;
+  } catch (const registration::MayBeMirrored& error) {
+    if (!error_) error_ = error;
+    now.refusal = error.what();
+    if (error.mirror_log_odds < 0) mirrored_ = error;
   } catch (const registration::NotEnoughFace& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
@@ -239,6 +248,8 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
 }
 
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
+  // Nobody can see whether a scan is mirrored, and a coarse face may fit its mirror image by chance.
+  if (mirrored_) throw Error(inWordsOf(store, mirrored_->what()));
   // All ways show one head. If one way speaks against this person, the best one must speak for it more
   // strongly.
   const double least = is_patient_confirmed_ ? 0.0 : leastOwn();

@@ -34,6 +34,7 @@ struct Answers {
 };
 
 constexpr double kUnclear = 5.5;  // log odds of a face that is too coarse to tell persons apart
+constexpr double kMirrored = 4.5, kEitherWay = 4.0;  // of one that fits the mirror image better, or as well
 
 class FakeAligner : public registration::Aligner {
  public:
@@ -50,7 +51,10 @@ class FakeAligner : public registration::Aligner {
       if (!start.is_patient_confirmed)
         throw registration::PersonUnclear("not aligned: too coarse to tell this person from others");
       result.rests_on_confirmation = true;
-    } else if (result.own_log_odds == 0)
+    } else if (result.own_log_odds == kMirrored || result.own_log_odds == kEitherWay)
+      throw registration::MayBeMirrored("not aligned: the face cannot be distinguished from its mirror image",
+                                        "", result.own_log_odds == kMirrored ? -2.8 : 3.0);
+    else if (result.own_log_odds == 0)
       throw registration::NotEnoughFace("not aligned: too little of the face");
     if (result.own_log_odds < 6 && !result.rests_on_confirmation)
       throw registration::NotThisPerson("not aligned: the face does not fit this MRI", "",
@@ -318,6 +322,18 @@ TEST_F(AlignRecording, WhatOnePairSaysAgainstThePersonAnotherMustOutweigh) {
       << "clearly another: nothing else is tried";
   EXPECT_EQ(answers_.asked, 8u);
   EXPECT_FALSE(store_->alignment());
+}
+
+TEST_F(AlignRecording, AFaceThatFitsTheMirrorImageBetterIsNotAlignedByOtherPictures) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+  answers_.own_log_odds = {kMirrored, kMirrored, 30, kEitherWay, kEitherWay, 30};
+  EXPECT_THAT(refusal(recording_), HasSubstr("cannot be distinguished from its mirror image"));
+  EXPECT_FALSE(store_->alignment());
+  const auto aligned = alignRecording(methods_, *store_, recording_, {"fake"}, monitor);
+  EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain) << "undecided is not against it";
 }
 
 TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {

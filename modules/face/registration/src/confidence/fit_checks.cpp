@@ -279,16 +279,17 @@ void requireLikeness(const FitEvidence& evidence) {
   const bool is_own = evidence.own_log_odds > limits.least_own;
   // A symmetric face, measured coarsely, may fit both ways. Mirrored is one that does not fit as it is.
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_own)
-    refuse("the MRI is mirrored: its left and right are swapped",
-           "import the MRI again from its DICOM files");
+    throw Mirrored("not aligned: the MRI is mirrored: its left and right are swapped", {},
+                   "import the MRI again from its DICOM files");
   if (evidence.own_log_odds < 0 || (!is_own && evidence.mirror_log_odds < limits.least_own))
     refuseAsAnother(evidence);
   if (is_own && isRareSize(evidence.fitting_scale, 0.0)) refuseSize(evidence.fitting_scale);
   // Nobody can see whether a scan is mirrored, so a confirmation does not replace these odds.
   if (evidence.mirror_log_odds < limits.least_own)
-    refuseAsTooLittle("the face cannot be distinguished from its mirror image",
-                      "bring the cameras nearer, project dots, and show more of the face to both cameras; "
-                      "check that this is the patient's own MRI, its left and right not swapped");
+    throw MayBeMirrored("not aligned: the face cannot be distinguished from its mirror image",
+                        "bring the cameras nearer, project dots, and show more of the face to both cameras; "
+                        "check that this is the patient's own MRI, its left and right not swapped",
+                        evidence.mirror_log_odds);
   if (evidence.rival_log_odds < limits.rival)
     refuseAsTooLittle("the pose is ambiguous: the face fits in two places",
                       "show more of the face to both cameras");

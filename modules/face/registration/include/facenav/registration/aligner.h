@@ -121,6 +121,21 @@ class NotEnoughFace : public Error {
   using Error::Error;
 };
 
+/// Thrown where the face is not told from its mirror image. Other pictures may tell it, but one whose face
+/// fits the mirror image better speaks against all of them: left and right of the scan may be exchanged.
+class MayBeMirrored : public NotEnoughFace {
+ public:
+  MayBeMirrored(const std::string& what, const std::string& remedy, double log_odds)
+      : NotEnoughFace(what, {}, remedy), mirror_log_odds(log_odds) {}
+  double mirror_log_odds;  // of the face as it is against its mirror image
+};
+
+/// Thrown where the face fits the mirror image, and not the scan as it is.
+class Mirrored : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Thrown where shape and size of the face do not show that the scan is this person's. Other pictures may
 /// show it: they are other evidence about the same head.
 class NotThisPerson : public Error {
