@@ -16,7 +16,6 @@ namespace facenav::coil_tracking {
 namespace {
 
 constexpr int kFewestFrames = 5, kFewestPoses = 10;
-constexpr double kOutlier = 3.5;  // times the median distance; exceeded by 1 in some thousand Gaussian values
 constexpr double kLeastOutlier_mm = 0.5;  // smaller distances are never outliers
 constexpr double kLeastTurn_rad = 20 * kRadPerDeg, kShortestArm_mm = 20.0;
 constexpr double kSharedFrames = 4;  // neighbouring frames share their errors, so one in four is independent
@@ -35,12 +34,13 @@ Eigen::Isometry3d meanPose(const std::vector<Eigen::Isometry3d>& poses) {
   return mean;
 }
 
-/// Removes outliers; `distance` measures from the median.
+/// Removes outliers; `distance` measures from the median. Three times the median distance is 4.6 standard
+/// deviations in space.
 template <class T, class Distance>
 std::vector<T> withoutOutliers(const std::vector<T>& all, Distance distance) {
   std::vector<double> distances;
   for (const T& one : all) distances.push_back(distance(one));
-  const double limit = std::max(kLeastOutlier_mm, kOutlier * upperMedian(distances));
+  const double limit = std::max(kLeastOutlier_mm, kSignificant * upperMedian(distances));
   std::vector<T> kept;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (distances[i] <= limit) kept.push_back(all[i]);

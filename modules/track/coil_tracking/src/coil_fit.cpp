@@ -15,7 +15,6 @@ constexpr double kMostSizeSigma = 2.5e-3;  // with a larger error, the size does
 // One image allows two starting poses. The second is skipped if it is out of question, or leads to the same
 // pose.
 constexpr double kOutOfQuestion = 2.0;  // times the spread
-constexpr double kSame_mm = 1.0, kSame_rad = 0.02;
 
 bool isPlausible(const CoilSetup& setup, const MarkerFit& fit, const std::vector<std::size_t>& markers) {
   // An ARToolKit picture has a known outline only: blur and size look alike there, so yaw is not observable.
@@ -74,8 +73,8 @@ CoilFit withOtherMarkers(const CoilSetup& setup, const cameras::StereoFrame& fra
 
 bool isSame(const FitState& a, const FitState& b) {
   const Eigen::Isometry3d &at = a.camera_T_coil, &other = b.camera_T_coil;
-  return (at.translation() - other.translation()).norm() < kSame_mm &&
-         rotationAngle(at.linear().transpose() * other.linear()) < kSame_rad;
+  return (at.translation() - other.translation()).norm() < kMostTranslationSigma_mm &&
+         rotationAngle(at.linear().transpose() * other.linear()) < kMostRotationSigma_rad;
 }
 
 }  // namespace

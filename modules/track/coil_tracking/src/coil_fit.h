@@ -19,8 +19,8 @@ struct CoilFit {
   std::vector<std::size_t> markers;  // fitted markers, the most certain first
 };
 
-/// Approximate upper limit of the work to fit one marker, in patch comparisons: newly found, and predicted.
-constexpr int kNewFitComparisons = 1400, kFitComparisons = 800;
+/// Approximate upper limit of the work to fit one marker that was newly found, in patch comparisons.
+constexpr int kNewFitComparisons = 1400;
 
 /// Fits these markers near `start`, then adds the others that both images show at their predicted places.
 std::optional<CoilFit> fitCoil(const CoilSetup& setup, const cameras::StereoFrame& frame,

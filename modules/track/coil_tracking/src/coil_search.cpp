@@ -6,9 +6,7 @@
 namespace facenav::coil_tracking {
 namespace {
 
-constexpr double kSamePlace_mm = 5.0, kSamePlace_px = 4.0;
 constexpr int kOneLightComparisons = 600;  // approximate work to search one image in one light
-constexpr int kMostDeferred = 3000;        // leaves budget for the fit of a tracked head
 
 /// True if this detection is the marker that `good` already fits.
 bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection& seen, bool is_left) {
@@ -16,8 +14,9 @@ bool explains(const CoilSetup& setup, const CoilFit& good, const MarkerDetection
   const auto corners =
       cornersInImage(setup, seen.marker, good.fit.free_state.camera_T_coil, is_left, right_T_left);
   if (!corners) return false;
+  const int reach_px = searchReach_px(setup, {seen.marker}, good.fit.camera_T_coil);
   for (int i = 0; i < 4; ++i)
-    if (((*corners)[i] - seen.corners[i]).norm() > kSamePlace_px) return false;
+    if (((*corners)[i] - seen.corners[i]).norm() > reach_px) return false;
   return true;
 }
 
@@ -35,12 +34,14 @@ std::vector<FitState> startsOf(const CoilSetup& setup, const MarkerDetection& se
   return starts;
 }
 
-/// Adds the fit; of two fits of one coil, keeps the one with the smaller bias.
+/// Adds the fit; of two fits of one coil, keeps the one with the smaller bias. Two coils are farther apart
+/// than half a marker.
 void note(const CoilSetup& setup, const CoilFit& fit, std::size_t marker, std::vector<CoilFit>& good) {
+  const double near_mm = 0.5 * setup.coil.markers[marker].size_mm;
   const auto same = std::find_if(good.begin(), good.end(), [&](const CoilFit& other) {
     return (other.fit.camera_T_coil.translation_mm() - fit.fit.camera_T_coil.translation_mm()).norm() <
-               kSamePlace_mm ||
-           (other.fit.centre_mm - fit.fit.centre_mm).norm() < 0.5 * setup.coil.markers[marker].size_mm;
+               near_mm ||
+           (other.fit.centre_mm - fit.fit.centre_mm).norm() < near_mm;
   });
   if (same == good.end())
     good.push_back(fit);
@@ -99,7 +100,8 @@ void CoilSearch::fit(const CoilSetup& setup, const cameras::StereoFrame& frame,
     if (is_explained) continue;
     if (work.left() < kNewFitComparisons) {
       // It is not known which of the unfitted candidates is the coil.
-      deferred_comparisons_ = std::min(int(candidates.size()) * kNewFitComparisons, kMostDeferred);
+      // Beside two fits the next frame has room for that of a tracked head.
+      deferred_comparisons_ = std::min(int(candidates.size()), 2) * kNewFitComparisons;
       deferred_ = std::move(candidates);
       found.good.clear();
       return;

@@ -8,6 +8,7 @@
 #include "coil_search.h"
 #include "coil_surroundings.h"
 #include "edge_filter.h"
+#include "facenav/core/robust_statistics.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/health/rig_monitor.h"
 #include "row_time_estimate.h"
@@ -21,15 +22,10 @@ namespace {
 constexpr double kMostPitch_px = 0.6, kMostRoll_rad = 2.6e-3;
 constexpr double kScaleSigma = 1e-3;        // relative error of lengths after a good calibration
 constexpr double kMostDepthError_mm = 2.5;  // half of a harmful error; the size shows it reliably
-constexpr double kCertain = 2.0;            // standard deviations
 constexpr double kLongestPrediction_s = 0.5;
-constexpr double kNoDifference_mm =
-    0.03;                           // motion between the exposures; for less, a second fit changes nothing
 constexpr double kSteady_s = 0.03;  // time constant that smooths rotation and receding speed
 // Largest speed at which a marker is used to check the cameras: the two may expose some milliseconds apart.
 constexpr double kResting_mm_s = 15.0;
-// Below this speed a rolling shutter shears the coil less than errors of lens and print: 0.3 px in 20 ms.
-constexpr double kFast_mm_s = 80.0;
 
 bool isUsable(const cv::Mat& grey, const cameras::StereoRig& rig) {
   return grey.type() == CV_8UC1 && grey.cols == rig.width_px && grey.rows == rig.height_px;
@@ -153,7 +149,7 @@ Tracked<CoilPose> MarkerCoilTracker::poseIn(const cameras::StereoFrame& frame) {
     found = asItMoves(frame, *found, assumed);
     observation_ = observationOf(*found);
     surroundings_ = {frame, *observation_};
-    if (velocity_.tail<3>().norm() > kFast_mm_s && across_) row_times_.add(found->fit.row_times, setup_.rig);
+    if (isMoving() && across_) row_times_.add(found->fit.row_times, setup_.rig);
     row_times_.applyTo(setup_.rig);
     if (isMotionKnown() && holdsCalibration(*found)) return accept(*found);
     return Lost{LostReason::camera};
@@ -201,7 +197,8 @@ void MarkerCoilTracker::remember(const CoilFit& solution, double t_s) {
 
 CoilFit MarkerCoilTracker::asItMoves(const cameras::StereoFrame& frame, const CoilFit& found,
                                      const Vector6d& assumed) {
-  if (lag_s(found) * (velocity_ - assumed).tail<3>().norm() < kNoDifference_mm) return found;
+  const double sigma_mm = std::sqrt(found.fit.covariance.diagonal().tail<3>().minCoeff());
+  if (lag_s(found) * (velocity_ - assumed).tail<3>().norm() < sigma_mm) return found;  // within its error
   setup_.rig.right_T_left = rightAsSeen(found.fit.camera_T_coil);
   setup_.motion.velocity = velocity_;
   const auto again = fitCoil(setup_, frame, found.markers, found.fit.camera_T_coil, work_);
@@ -247,7 +244,7 @@ std::optional<CoilFit> MarkerCoilTracker::fitPredicted(const cameras::StereoFram
     if (auto fit = fitCoil(setup_, frame, expected, prediction, work_)) return fit;
   if (in_view.size() == 1 && !expected.empty()) return std::nullopt;
   for (const std::size_t marker : in_view) {
-    if (work_.left() < kFitComparisons) break;
+    if (work_.left() < kNewFitComparisons) break;
     if (auto fit = fitCoil(setup_, frame, {marker}, prediction, work_)) return fit;
   }
   return std::nullopt;
@@ -261,7 +258,7 @@ bool MarkerCoilTracker::isMotionKnown() const {
       right_T_left_.isometry().linear().transpose() * right_T_left_.isometry().translation();
   const double along_mm_s = std::abs(velocity_.tail<3>().dot(baseline_mm.normalized()));
   const double depth_by_motion = last_->camera_T_coil.translation_mm().z() / baseline_mm.norm();
-  return along_mm_s * kCertain * right_late_sigma_s_ * depth_by_motion < kMostDepthError_mm;
+  return along_mm_s * kSignificant * right_late_sigma_s_ * depth_by_motion < kMostDepthError_mm;
 }
 
 bool MarkerCoilTracker::holdsCalibration(const CoilFit& solution) const {

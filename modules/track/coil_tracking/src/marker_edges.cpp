@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "edge_filter.h"
+#include "facenav/core/robust_statistics.h"
 
 namespace facenav::coil_tracking {
 namespace {
 
 constexpr double kCornerGap_px = 1.5;  // reach of the blur round a corner, besides the taps of a slanted row
 constexpr double kLeastLength_px = 3.0;
-constexpr double kLeastStep_grey = 8.0;
-constexpr double kNoise_grey = 2.0;  // of a common camera; only reduces the weight of edges with low contrast
-constexpr double kFloor_px = 0.02;   // error left by lens and print without any noise
+constexpr double kNoise_grey = 2.0;     // of a common camera: reduces the weight of edges with low contrast
+constexpr double kFloor_px = 0.02;      // error left by lens and print without any noise
 constexpr double kFirstSigma_px = 0.4;  // error of an edge found by search
 
 /// One image with its camera, at the state's pose.
@@ -175,8 +175,8 @@ class LineSampler {
     const std::ptrdiff_t step = is_by_row ? 1 : std::ptrdiff_t(grey.step[0]);
     const auto found =
         sampling_.search_px > 0
-            ? searchEdge(first, step, place, by_normal > 0, sampling_.search_px, kLeastStep_grey)
-            : locateEdge(*weights_, first, step, place, by_normal > 0, kLeastStep_grey);
+            ? searchEdge(first, step, place, by_normal > 0, sampling_.search_px, kSignificant * kNoise_grey)
+            : locateEdge(*weights_, first, step, place, by_normal > 0, kSignificant * kNoise_grey);
     if (!found) return;
     ++line.found;
     const double shrink_px = state_.shrink_px[sight_.image];

@@ -10,13 +10,12 @@ namespace facenav::coil_tracking {
 namespace {
 
 // Priors of the fit. Those of pitch and roll are wide, because both are measured here.
-constexpr double kSizeSigma = 0.01, kTurnSigma_rad = 0.02;
-// Errors of pitch and roll after a good calibration. Pitch is measured so well that its prior has no effect.
-constexpr double kCalibratedPitch_rad = 5e-4, kCalibratedRoll_rad = 3.5e-4;
+constexpr double kSizeSigma = 0.01;
+constexpr double kCalibratedRoll_rad = 3.5e-4;          // error of roll after a good calibration
 constexpr double kLeastScale = 1.0, kFirstScale = 2.0;  // robust scale in sigmas of an edge point
 constexpr int kFewestPoints = 8;                        // in each image
 constexpr int kFirstStride_px = 4, kFinestStride_px = 2, kMostPoints = 2400;
-constexpr int kPointsPerComparison = 6, kLinesPerComparison = 2;
+constexpr int kPointsPerComparison = 6;
 
 double tukey(double u) { return std::abs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0.0; }
 
@@ -152,18 +151,14 @@ std::pair<double, double> biasOfEdges(const MarkerEdges& edges, double limit) {
   return {std::sqrt(squares / count / freedom), points / count};
 }
 
-/// Conditions the state on the calibration: the linear Gaussian update by the observation "pitch = roll = 0
-/// +- error of a good calibration".
+/// Conditions the state on the calibration: the linear Gaussian update by the observation "roll = 0 +- error
+/// of a good calibration". Pitch is measured so well that such a prior of it has no effect.
 void conditionOnCalibration(const Eigen::Vector3d& centre_mm, FitMatrix& covariance, FitState& state) {
-  Eigen::Matrix2d innovation = covariance.block<2, 2>(kPitch, kPitch);
-  innovation(0, 0) += kCalibratedPitch_rad * kCalibratedPitch_rad;
-  innovation(1, 1) += kCalibratedRoll_rad * kCalibratedRoll_rad;
-  const Eigen::Matrix<double, kFitParameters, 2> gain =
-      covariance.middleCols<2>(kPitch) * innovation.inverse();
-  const FitVector step = -gain * Eigen::Vector2d(state.pitch_rad, state.roll_rad);
-  const Eigen::Matrix<double, 2, kFitParameters> rows = covariance.middleRows<2>(kPitch);
-  covariance -= gain * rows;
-  state = moved(state, step, centre_mm);
+  const FitVector gain =
+      covariance.col(kRoll) / (covariance(kRoll, kRoll) + kCalibratedRoll_rad * kCalibratedRoll_rad);
+  const Eigen::Matrix<double, 1, kFitParameters> row = covariance.row(kRoll);
+  covariance -= gain * row;
+  state = moved(state, -gain * state.roll_rad, centre_mm);
 }
 
 bool isEnough(const MarkerEdges& edges, int least) {
@@ -230,8 +225,8 @@ std::optional<FitVector> improve(const std::vector<SeenMarker>& markers, const M
 
 /// Work in patch comparisons that take the same time (frame_work.h).
 int workOf(const MarkerEdges& edges) {
-  return (edges.tried[0] + edges.tried[1]) / kPointsPerComparison +
-         int(edges.lines.size()) / kLinesPerComparison;
+  // A line's three knots take as long as points.
+  return (edges.tried[0] + edges.tried[1] + 3 * int(edges.lines.size())) / kPointsPerComparison;
 }
 
 /// Limits the points of large or many prints: more would take time without improving the pose.

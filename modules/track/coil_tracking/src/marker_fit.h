@@ -24,7 +24,7 @@ struct RowTimeEquations {
 };
 
 /// Prior of how far blur and gamma move an edge, standard deviation.
-constexpr double kShrinkSigma_px = 0.5;
+constexpr double kShrinkSigma_px = 0.5, kTurnSigma_rad = 0.02;
 
 struct MarkerFit {
   RigidTransform<Camera, Coil> camera_T_coil;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "facenav/core/robust_statistics.h"
 #include "facenav/health/rig_monitor.h"
+#include "marker_fit.h"
 
 namespace facenav::coil_tracking {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 // Size limits relative to the calibration. Corners found by a search are off by up to 1 px: 2 % in size.
 // Beyond the upper limit it is another object, or the pictures are exchanged.
 constexpr double kOtherSize = 0.025, kMostOtherSize = 0.2;
-constexpr double kOtherRow_px = 3.0, kMostOtherRow_px = 40.0;
+constexpr double kOtherRow_px = 3.0;
 
 std::array<Eigen::Vector3d, 4> cornersInMarker_mm(double size_mm) {
   const double h = size_mm / 2;
@@ -91,7 +93,9 @@ std::vector<FitState> statesFromBothImages(const CoilSetup& setup, const MarkerD
     middle_mm += 0.25 * cameras::triangulate(rig, left_px[i], right_px[i]).mm;
     row_px += 0.25 * cameras::epipolarResidual_px(rig, left_px[i], right_px[i]);
   }
-  if (!(middle_mm.z() > kLeastDepth_mm && std::abs(row_px) < kMostOtherRow_px)) return {};
+  if (!(middle_mm.z() > kLeastDepth_mm)) return {};
+  const double pitch_rad = pitchFor_rad(rig, middle_mm, row_px);
+  if (!(std::abs(pitch_rad) < kSignificant * kTurnSigma_rad)) return {};
   const Eigen::Vector3d eye_mm =
       is_left ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(rig.right_T_left.inverse().translation_mm());
   const Eigen::Vector3d centre_in_coil_mm = setup.coil.markers[seen.marker].coil_T_marker.translation_mm();
@@ -105,7 +109,7 @@ std::vector<FitState> statesFromBothImages(const CoilSetup& setup, const MarkerD
     if (other_size > kMostOtherSize || (other_size < kOtherSize && std::abs(row_px) < kOtherRow_px)) continue;
     state.camera_T_coil = pose.isometry();
     state.camera_T_coil.translation() += (state.size_factor - 1.0) * at_mm;
-    state.pitch_rad = pitchFor_rad(rig, middle_mm, row_px);
+    state.pitch_rad = pitch_rad;
     states.push_back(state);
   }
   return states;

@@ -9,11 +9,10 @@
 namespace facenav::coil_tracking {
 namespace {
 
-// Priors of a whole picture's read-out time, standard deviations: of its size, and of the difference between
-// the cameras. Ordinary cameras take 5-33 ms, industrial ones none. Two cameras of a pair are mostly of one
-// kind.
-constexpr double kUnknown_s = 20e-3, kUnlike_s = 1.5e-3;
-constexpr double kStated_s = 4e-3;  // prior about the rig's value: it may be of another mode of the sensor
+// Prior of the difference between the cameras' read-out times of a whole picture, standard deviation: two
+// cameras of a pair are mostly of one kind. Their size itself may be anything, also if the rig states one:
+// that may be of another mode of the sensor.
+constexpr double kUnlike_s = 1.5e-3;
 // A measured read-out time replaces the rig's if its standard deviation is below kCertain_s (lower is safe),
 // and its difference from the rig's significant.
 constexpr double kCertain_s = 3e-3;
@@ -29,7 +28,7 @@ constexpr double kIndependent = 0.1;
 void RowTimeEstimate::start(const cameras::StereoRig& rig) {
   rows_ = std::max(1, rig.height_px);
   stated_s_ = {rig.left.row_time_s, rig.right.row_time_s};
-  const double common_s = (stated_s_.isZero() ? kUnknown_s : kStated_s) / rows_, unlike_s = kUnlike_s / rows_;
+  const double common_s = cameras::kLongestReadout_s / rows_, unlike_s = kUnlike_s / rows_;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(common_s * common_s);
   covariance.diagonal().array() += 0.5 * unlike_s * unlike_s;
   believed_ = covariance.inverse();
