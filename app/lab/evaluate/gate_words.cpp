@@ -26,7 +26,9 @@ std::set<std::string> faultsNamedIn(const std::string& words) {
   std::set<std::string> named;
   for (const auto& [part, name] : kMessages)
     if (words.find(part) != std::string::npos) named.insert(name);
-  if (words.find("or was measured too coarsely to tell") != std::string::npos) named.erase("other_person");
+  for (const char* undecided :
+       {"or was measured too coarsely to tell", "cannot be distinguished from its mirror image"})
+    if (words.find(undecided) != std::string::npos) named.erase("other_person");
   // These messages blame something else first; the patient's own MRI is their second advice.
   if (named.size() > 1) named.erase("other_person");
   return named;

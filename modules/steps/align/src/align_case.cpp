@@ -186,7 +186,7 @@ struct Attempts {
   std::size_t used_ = 0;
   bool is_patient_confirmed_;
   std::optional<Error> error_;
-  std::optional<Error> mirrored_;   // of a way whose face fits the mirror image better
+  std::optional<Error> mirrored_;   // of a way whose face may fit the mirror image better
   bool is_turn_unknown_ = false;    // error_ says so
   bool is_person_unclear_ = false;  // likewise
   bool has_head_moved_ = false;     // likewise: with a still head the dots would do
@@ -220,9 +220,7 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
     if (!error_) error_ = error;
     now.refusal = error.what();
   } catch (const registration::Mirrored& error) {
-    now.refusal = inWordsOf(store, error.what());
-    if (!best_) throw Error(now.refusal);
-    mirrored_ = error;
+    throw Error(inWordsOf(store, error.what()));
   } catch (const registration::MayBeMirrored& error) {
     if (!error_) error_ = error;
     now.refusal = error.what();
@@ -248,8 +246,13 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
 }
 
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
-  // Nobody can see whether a scan is mirrored, and a coarse face may fit its mirror image by chance.
-  if (mirrored_) throw Error(inWordsOf(store, mirrored_->what()));
+  // A coarse face may fit its mirror image by chance. A person knows whether the scan is the patient's.
+  if (best_ && mirrored_) {
+    const std::string words = inWordsOf(store, mirrored_->what());
+    if (!is_patient_confirmed_) throw registration::PersonUnclear(words);
+    best_->outcome.result.rests_on_confirmation = true;
+    best_->outcome.result.cautions.push_back(words.substr(std::string("not aligned: ").size()));
+  }
   // All ways show one head. If one way speaks against this person, the best one must speak for it more
   // strongly.
   const double least = is_patient_confirmed_ ? 0.0 : leastOwn();

@@ -324,16 +324,21 @@ TEST_F(AlignRecording, WhatOnePairSaysAgainstThePersonAnotherMustOutweigh) {
   EXPECT_FALSE(store_->alignment());
 }
 
-TEST_F(AlignRecording, AFaceThatFitsTheMirrorImageBetterIsNotAlignedByOtherPictures) {
+TEST_F(AlignRecording, AFaceThatFitsTheMirrorImageBetterIsNotAlignedByOtherPicturesAlone) {
   TaskMonitor monitor;
   recording_.capture = dotted();
   showMarker();
-  answers_.sigmas_mm = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
-  answers_.own_log_odds = {kMirrored, kMirrored, 30, kEitherWay, kEitherWay, 30};
+  answers_.sigmas_mm.assign(9, 0.5);
+  answers_.own_log_odds = {kMirrored, kMirrored, 30, kMirrored, kMirrored, 30, kEitherWay, kEitherWay, 30};
   EXPECT_THAT(refusal(recording_), HasSubstr("cannot be distinguished from its mirror image"));
   EXPECT_FALSE(store_->alignment());
-  const auto aligned = alignRecording(methods_, *store_, recording_, {"fake"}, monitor);
-  EXPECT_EQ(aligned.outcome.from, measured_face::AlignedFrom::plain) << "undecided is not against it";
+  AlignOrder confirmed{"fake"};
+  confirmed.is_patient_confirmed = true;
+  EXPECT_TRUE(
+      alignRecording(methods_, *store_, recording_, confirmed, monitor).outcome.result.rests_on_confirmation);
+  EXPECT_EQ(alignRecording(methods_, *store_, recording_, {"fake"}, monitor).outcome.from,
+            measured_face::AlignedFrom::plain)
+      << "undecided is not against it";
 }
 
 TEST_F(AlignRecording, WithoutDotsTheCamerasMustBeKnownOtherwise) {
