@@ -30,9 +30,10 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
     throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");
   if (diagnosis.state != health::RigState::holds)
     throw health::RigError(
-        formatted("not aligned: the pictures do not fit the calibration (%.2f px across the epipolar lines): "
-                  "a camera has moved since, or they were taken at two moments",
-                  estimate.epipolar_px),
+        "not aligned: " +
+            formatted("the pictures do not fit the calibration (%.2f px across the epipolar lines): "
+                      "a camera has moved since, or they were taken at two moments",
+                      estimate.epipolar_px),
         {}, "trigger both cameras together; if they are, calibrate again");
 }
 

@@ -202,6 +202,15 @@ std::string percentOf(double scale) { return fixed(100.0 * scale, 1) + " %"; }
   throw NotEnoughFace("not aligned: " + why, {}, remedy);
 }
 
+[[noreturn]] void refuseAsMirrored(const std::string& why, const std::string& remedy) {
+  throw Mirrored("not aligned: " + why, {}, remedy);
+}
+
+[[noreturn]] void refuseAsEitherWay(const std::string& why, const std::string& remedy,
+                                    double mirror_log_odds) {
+  throw MayBeMirrored("not aligned: " + why, remedy, mirror_log_odds);
+}
+
 /// Least log odds against the mirror image of a face that alone tells the person. They stand for other
 /// persons too: coarsely measured strangers fit both nearly as well. Where much counts as covered, the fit
 /// could choose the parts that lie on the skin, and strangers fit there by chance.
@@ -279,17 +288,17 @@ void requireLikeness(const FitEvidence& evidence) {
   const bool is_own = evidence.own_log_odds > limits.least_own;
   // A symmetric face, measured coarsely, may fit both ways. Mirrored is one that does not fit as it is.
   if (evidence.mirror_log_odds < limits.mirrored && evidence.does_mirror_fit && !is_own)
-    throw Mirrored("not aligned: the MRI is mirrored: its left and right are swapped", {},
-                   "import the MRI again from its DICOM files");
+    refuseAsMirrored("the MRI is mirrored: its left and right are swapped",
+                     "import the MRI again from its DICOM files");
   if (evidence.own_log_odds < 0 || (!is_own && evidence.mirror_log_odds < limits.least_own))
     refuseAsAnother(evidence);
   if (is_own && isRareSize(evidence.fitting_scale, 0.0)) refuseSize(evidence.fitting_scale);
   // Nobody can see whether a scan is mirrored, so a confirmation does not replace these odds.
   if (evidence.mirror_log_odds < limits.least_own)
-    throw MayBeMirrored("not aligned: the face cannot be distinguished from its mirror image",
-                        "bring the cameras nearer, project dots, and show more of the face to both cameras; "
-                        "check that this is the patient's own MRI, its left and right not swapped",
-                        evidence.mirror_log_odds);
+    refuseAsEitherWay("the face cannot be distinguished from its mirror image",
+                      "bring the cameras nearer, project dots, and show more of the face to both cameras; "
+                      "check that this is the patient's own MRI, its left and right not swapped",
+                      evidence.mirror_log_odds);
   if (evidence.rival_log_odds < limits.rival)
     refuseAsTooLittle("the pose is ambiguous: the face fits in two places",
                       "show more of the face to both cameras");
