@@ -267,7 +267,7 @@ TEST_F(JapanesePages, TheQuestionWhoThePatientIs) {
       "birth, and confirm that this is the patient's own MRI";
   Services services = live::fakeServices();
   services.align = [words, remedy](const auto&, const auto&, const auto&, auto&) -> steps::AlignmentOutcome {
-    throw registration::PersonUnclear(words, {}, remedy);
+    throw registration::PersonUnclear(words, remedy);
   };
   const auto recording = QString::fromStdString(live::writeRecording(folder_.path(), 60).string());
   ASSERT_NO_FATAL_FAILURE(open(live::plannedCase(folder_.path(), true), services));

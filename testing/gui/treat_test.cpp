@@ -117,7 +117,7 @@ TEST(Treat, AFaceThatIsTooCoarseIsAlignedOnlyAfterAPersonConfirmsThePatient) {
   services.align = [plain = services.align](const auto& store, const auto& recording, const auto& known,
                                             auto& task) {
     if (!known.is_patient_confirmed)
-      throw registration::PersonUnclear("not aligned: too coarse", "", "come nearer");
+      throw registration::PersonUnclear("not aligned: too coarse", "come nearer");
     return plain(store, recording, known, task);
   };
   MainWindow window(services);

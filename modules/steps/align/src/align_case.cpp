@@ -182,6 +182,8 @@ struct Attempts {
 
  private:
   void take(Aligned aligned);
+  void weigh(const Error& undecided, double own_log_odds);
+  std::optional<std::string> doubt() const;
   std::optional<Aligned> best_;
   std::size_t used_ = 0;
   bool is_patient_confirmed_;
@@ -190,7 +192,8 @@ struct Attempts {
   bool is_turn_unknown_ = false;    // error_ says so
   bool is_person_unclear_ = false;  // likewise
   bool has_head_moved_ = false;     // likewise: with a still head the dots would do
-  double against_ = 0.0;            // least log odds of this person's scan by the refused ways; at most 0
+  std::optional<Error> undecided_;  // of the way with the least log odds of this person's scan
+  double least_own_ = 0.0;          // those log odds
 };
 
 void Attempts::take(Aligned aligned) {
@@ -231,11 +234,12 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   } catch (const registration::PersonUnclear& error) {
     if (!is_turn_unknown_) error_ = error, is_person_unclear_ = true;
     now.refusal = error.what();
+    weigh(error, error.own_log_odds);
   } catch (const registration::NotThisPerson& error) {
     now.refusal = error.what();
     if (!best_ && error.own_log_odds < -leastOwn()) throw Error(inWordsOf(store, now.refusal));
     if (!is_turn_unknown_) error_ = error, is_person_unclear_ = false;
-    against_ = std::min(against_, error.own_log_odds);
+    weigh(error, error.own_log_odds);
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
     if (!best_ && words != error.what()) throw Error(words);
@@ -245,20 +249,34 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
   }
 }
 
+void Attempts::weigh(const Error& undecided, double own_log_odds) {
+  if (!undecided_ || own_log_odds < least_own_) undecided_ = undecided, least_own_ = own_log_odds;
+}
+
+/// Words of a way that leaves open whether the scan is this person's, although the best one is accepted. A
+/// coarse face may fit another head, or its own mirror image, by chance in one of several ways.
+std::optional<std::string> Attempts::doubt() const {
+  if (mirrored_) return mirrored_->what();
+  const double mean_log_odds = 0.5 * (best_->outcome.result.own_log_odds + least_own_);
+  if (undecided_ && mean_log_odds < leastOwn()) return undecided_->what();
+  return std::nullopt;
+}
+
 Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recording& recording) {
-  // A coarse face may fit its mirror image by chance. A person knows whether the scan is the patient's.
-  if (best_ && mirrored_) {
-    const std::string words = inWordsOf(store, mirrored_->what());
-    if (!is_patient_confirmed_) throw registration::PersonUnclear(words);
-    best_->outcome.result.rests_on_confirmation = true;
-    best_->outcome.result.cautions.push_back(words.substr(std::string("not aligned: ").size()));
-  }
   // All ways show one head. If one way speaks against this person, the best one must speak for it more
   // strongly.
-  const double least = is_patient_confirmed_ ? 0.0 : leastOwn();
-  const bool is_this_person =
-      best_ && (against_ >= 0 || best_->outcome.result.own_log_odds + against_ > least);
-  if (is_this_person) return std::move(*best_);
+  const double least = is_patient_confirmed_ ? 0.0 : leastOwn(), against = std::min(0.0, least_own_);
+  const bool is_this_person = best_ && (against >= 0 || best_->outcome.result.own_log_odds + against > least);
+  if (is_this_person) {
+    const auto words = doubt();
+    if (words && !is_patient_confirmed_) throw registration::PersonUnclear(inWordsOf(store, *words));
+    if (words) {
+      auto& result = best_->outcome.result;
+      result.rests_on_confirmation = true;
+      result.cautions.push_back(inWordsOf(store, words->substr(std::string("not aligned: ").size())));
+    }
+    return std::move(*best_);
+  }
   if (error_ && is_person_unclear_) throw registration::PersonUnclear(inWordsOf(store, error_->what()));
   if (error_) throw Error(inWordsOf(store, error_->what()));
   throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),

@@ -300,6 +300,21 @@ TEST_F(AlignRecording, WhatOnePairCannotShowAnotherShows) {
   EXPECT_THAT(aligned.tries.front().refusal, HasSubstr("does not fit"));
 }
 
+TEST_F(AlignRecording, WhereOnePairIsUndecidedAndAnotherHardlySureAPersonIsAsked) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm.assign(6, 0.5);
+  answers_.own_log_odds = {2, 2, 7, 2, 2, 7};
+  EXPECT_THROW(alignRecording(methods_, *store_, recording_, {"fake"}, monitor), registration::PersonUnclear);
+  EXPECT_FALSE(store_->alignment());
+  AlignOrder confirmed{"fake"};
+  confirmed.is_patient_confirmed = true;
+  const auto aligned = alignRecording(methods_, *store_, recording_, confirmed, monitor);
+  EXPECT_TRUE(aligned.outcome.result.rests_on_confirmation);
+  EXPECT_TRUE(store_->alignment()->rests_on_confirmation);
+}
+
 TEST_F(AlignRecording, WhereOnePairShowsTooLittleAnotherIsTried) {
   TaskMonitor monitor;
   recording_.capture = dotted();

@@ -149,7 +149,9 @@ class NotThisPerson : public Error {
 /// others. Other pictures may show it, or a person confirms it (AlignmentStart::is_patient_confirmed).
 class PersonUnclear : public Error {
  public:
-  using Error::Error;
+  explicit PersonUnclear(const std::string& what, const std::string& remedy = {}, double log_odds = 0.0)
+      : Error(what, {}, remedy), own_log_odds(log_odds) {}
+  double own_log_odds;  // of this person's scan against another's
 };
 
 class Aligner {
