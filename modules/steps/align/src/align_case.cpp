@@ -256,6 +256,7 @@ void Attempts::weigh(const Error& undecided, double own_log_odds) {
 /// Words of a way that leaves open whether the scan is this person's, although the best one is accepted. A
 /// coarse face may fit another head, or its own mirror image, by chance in one of several ways.
 std::optional<std::string> Attempts::doubt() const {
+  if (best_->outcome.result.rests_on_confirmation) return std::nullopt;  // a person has decided already
   if (mirrored_) return mirrored_->what();
   const double mean_log_odds = 0.5 * (best_->outcome.result.own_log_odds + least_own_);
   if (undecided_ && mean_log_odds < leastOwn()) return undecided_->what();
