@@ -131,7 +131,7 @@ double meanEdge(const BetSurface& s) {
 }  // namespace
 
 BetIntensities betIntensities(const Volume& image, const BetSphere& sphere, float t2, float t98) {
-  BetIntensities out{t2, t2 + kAirShare * (t98 - t2), t98, 0};
+  BetIntensities out{t2, t2 + 0.1f * (t98 - t2), t98, 0};
   std::vector<float> inside;
   const auto& n = image.grid.size;
   for (int k = 0; k < n[2]; ++k)

@@ -16,9 +16,6 @@ struct BetSphere {
   double radius_mm = 70;      // radius of a ball with the brain's volume
 };
 
-/// Share of a scan's bright values below which is air (Smith 2002).
-constexpr float kAirShare = 0.1f;
-
 struct BetIntensities {
   float t2 = 0, t = 0, t98 = 0;  // robust minimum, brain/background threshold, robust maximum
   float median = 0;              // median within the sphere: between grey and white matter

@@ -17,6 +17,7 @@ using volume::Mask;
 constexpr double kLeastContrast = 0.06;  // (white - grey) / white; T1 MR has 0.2 to 0.4, CT below 0.02
 constexpr double kThickSlice_mm = 3;
 constexpr double kCutArea_mm2 = 100;   // area of the brain in the scan's outermost slice
+constexpr double kMiddle = 0.6;        // radius, as a share of the brain's ball
 constexpr double kLeastSpread = 0.06;  // 20th to 80th percentile, divided by the median
 
 [[noreturn]] void noBrain(const std::string& reason) {
@@ -72,7 +73,7 @@ void requireTissueContrast(const TissueModel& tissue) {
 }
 
 void requireTissueSpread(const volume::Volume& coarse, const BetSphere& sphere) {
-  const Mask ball = ballOf(coarse.grid, sphere.centre_mm, kSafeShare * sphere.radius_mm);
+  const Mask ball = ballOf(coarse.grid, sphere.centre_mm, kMiddle * sphere.radius_mm);
   std::vector<float> values;
   for (std::size_t v = 0; v < ball.voxels.size(); ++v)
     if (ball.voxels[v]) values.push_back(coarse.voxels[v]);

@@ -54,7 +54,7 @@ Mask Refinement::brain(double stricter, double rise) const {
                                    {open_fluid_, float(tissue_.white.mean), rise});
   const Mask torn = intersection(erode(intersection(tissue, bright), growth_.tear_mm), near_white_);
   Mask brain = intersection(dilate(largestPart(torn), growth_.regrow_mm), tissue);
-  const Mask deep = erode(dilate(brain, growth_.hull_mm), 1.5 * growth_.hull_mm);
+  const Mask deep = erode(dilate(brain, growth_.hull_mm), growth_.hull_mm + growth_.deep_mm);
   brain = unionOf(close(brain, growth_.sulcus_mm), deep);
   return largestPart(open(fillHoles(close(brain, growth_.smooth_mm)), growth_.smooth_mm));
 }

@@ -25,9 +25,10 @@ constexpr double kGirthFrom_mm = 100,
 constexpr double kRoundness = 0.98,
                  kBrainShare = 0.81;  // per girth: height of the centre, radius of the brain's ball
 constexpr double kRobust = 0.98, kRobustInHead = 0.95;  // the same value where a head fills 0.4 of its scan
-constexpr double kSkull_mm = 6;                         // closes the skull where the scalp over it is missing
-constexpr int kRoughSubdivisions = 3;                   // for the surface that only places the ball
-constexpr double kBallInBrain_mm = 20;                  // wider than leaks, narrower than the brain
+constexpr float kHeadShare = 0.1f;  // share of the robust maximum that is brighter than air
+constexpr double kSkull_mm = 6;     // closes the skull where the scalp over it is missing
+constexpr int kRoughIterations = 400, kRoughSubdivisions = 3;  // for the surface that only places the ball
+constexpr double kBallInBrain_mm = 20;                         // wider than leaks, narrower than the brain
 constexpr double kSkullShare = 1.2,
                  kDarkest = 0.03;  // radius of the region in brain radii; share of its values
 
@@ -68,7 +69,7 @@ float robustMaximum(const Volume& working) {
   for (int round = 0; round < 2; ++round) {
     std::vector<float> head;
     for (const float value : working.voxels)
-      if (value > kAirShare * bright) head.push_back(value);
+      if (value > kHeadShare * bright) head.push_back(value);
     if (head.empty()) return bright;
     bright = selectRank(head, std::size_t(kRobustInHead * double(head.size() - 1)));
   }
@@ -142,6 +143,7 @@ BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double
                           TaskMonitor& monitor) {
   BetOptions rough;
   rough.fractional_threshold = fractional_threshold;
+  rough.iterations = kRoughIterations;
   rough.subdivisions = kRoughSubdivisions;
   const Mask brain =
       enclosed(evolveBet(working, start.sphere, start.intensities, rough, monitor), working.grid);
@@ -152,14 +154,14 @@ BrainStart centredOnBrain(const Volume& working, const BrainStart& start, double
   const double radius_mm = std::cbrt(dilate(core, kBallInBrain_mm).volume_ml() * 1e3 * 3 / (4 * M_PI));
   out.sphere = {ballLike(core).centre_mm, radius_mm};
   const float t98 = start.intensities.t98;
-  out.intensities = intensitiesIn(working, headOf(working, kAirShare * t98), out.sphere, t98);
+  out.intensities = intensitiesIn(working, headOf(working, kHeadShare * t98), out.sphere, t98);
   return out;
 }
 
 BrainStart findBrainStart(const Volume& working) {
   const float t98 = robustMaximum(working);
   if (!(t98 > 0)) noBrain("the volume has no contrast");
-  const Mask head = headOf(working, kAirShare * t98);
+  const Mask head = headOf(working, kHeadShare * t98);
   const Slices slices = sliceAreas(head);
   const double spacing_mm = working.grid.spacing_mm().mean();
   int top = int(slices.area_mm2.size()) - 1;

@@ -23,9 +23,6 @@ struct TissueModel {
   double contrast() const;
 };
 
-/// Share of a brain's ball within which lie only the brain, its fluid and ventricles.
-constexpr double kSafeShare = 0.8;
-
 volume::Mask ballOf(const volume::VoxelGrid& grid, const Eigen::Vector3d& centre_mm, double radius_mm);
 
 /// Fits only the bias, before any mask is known: a polynomial of the second order, fitted to the logarithm of

@@ -16,7 +16,7 @@ constexpr float kRim_mm = 5, kDeep_mm = 10, kDeepest_mm = 25;
 constexpr int kShadingPasses = 60;             // passes of 1-2-1 on 2 mm: sigma 11 mm
 constexpr float kBrain = 0.5f, kFluid = 0.4f;  // low, since few voxels of 4 mm contain fluid alone
 constexpr double kBrightFluid = 1.15;
-constexpr double kWhiteAboveGrey = 1.02, kFluidBelowGrey = 0.95;
+constexpr double kWhiteAboveGrey = 1.02, kFluidBelowGrey = 0.95, kInverted = 0.98;
 // Largest ratio of fluid to rim in a clear T1, fitted. Above it a T1 counts as weak and gets a little more
 // doubt (stated_doubt.cpp): the safe direction is down.
 constexpr double kClearlyDarkFluid = 0.73;
@@ -42,7 +42,7 @@ bool ContrastSeen::isLikeT1() const {
   return deep_to_rim > kWhiteAboveGrey && fluid_to_rim < kFluidBelowGrey;
 }
 
-bool ContrastSeen::isInverted() const { return deep_to_rim * kWhiteAboveGrey < 1; }
+bool ContrastSeen::isInverted() const { return deep_to_rim < kInverted; }
 
 ContrastKind ContrastSeen::kind() const {
   if (isLikeT1()) return fluid_to_rim < kClearlyDarkFluid ? ContrastKind::t1 : ContrastKind::weak_t1;

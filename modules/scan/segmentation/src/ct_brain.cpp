@@ -8,9 +8,6 @@
 #include "facenav/core/error.h"
 #include "facenav/core/number_text.h"
 #include "facenav/core/robust_statistics.h"
-#include "facenav/core/settings_in_force.h"
-#include "facenav/segmentation/brain_growth.h"
-#include "facenav/segmentation/prior_use.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "head_threshold.h"
@@ -27,15 +24,15 @@ constexpr float kLow_hu = -150, kHigh_hu = 250, kBone_hu = 180;
 constexpr double kLeastBrain_hu = 5, kMostBrain_hu = 80;
 constexpr double kSkullReach_mm = 14;  // reach outside the brain within which bone lies
 constexpr double kLeastSkull = 0.5;    // share of the brain's surface with bone outside it; necks have none
+constexpr double kStep_mm = 1, kSulcus_mm = 2, kSmooth_mm = 1.5;
 
 [[noreturn]] void noBrain(const std::string& reason) {
   throw Error("no brain can be modelled: " + reason, {}, "a T1-weighted MR of the whole head is needed");
 }
 
 /// True if a ray outwards from a place of the surface meets bone.
-bool meetsBone(const Volume& ct, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& outwards,
-               double step_mm) {
-  for (double t = 0; t <= kSkullReach_mm; t += step_mm)
+bool meetsBone(const Volume& ct, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& outwards) {
+  for (double t = 0; t <= kSkullReach_mm; t += kStep_mm)
     if (volume::sampleLinear(ct, ct.grid.toVoxel(Point<Mri>(from_mm + t * outwards)), kLow_hu) > kBone_hu)
       return true;
   return false;
@@ -83,9 +80,8 @@ void requireSkullAround(const Volume& ct, const Mask& brain) {
     noBrain(
         formatted("what looks like a brain in this CT measures %.0f Hounsfield units (a brain has 20 to 45)",
                   double(level)));
-  const double step_mm = brain.grid.spacing_mm().minCoeff();
   std::size_t with_bone = 0;
-  for (const auto& p : places) with_bone += meetsBone(ct, p, (p - centre).normalized(), step_mm);
+  for (const auto& p : places) with_bone += meetsBone(ct, p, (p - centre).normalized());
   const double share = double(with_bone) / double(places.size());
   if (share < kLeastSkull)
     noBrain(
@@ -99,9 +95,7 @@ Mask withinSkull(const Volume& ct, const Mask& brain) {
   Mask soft = brain;
   for (std::size_t v = 0; v < soft.voxels.size(); ++v)
     soft.voxels[v] = brain.voxels[v] && there.voxels[v] < kBone_hu && there.voxels[v] > kLow_hu;
-  return volume::largestPart(
-      volume::open(volume::fillHoles(volume::close(soft, settingsOf<PriorUse>().sulcus_mm)),
-                   settingsOf<BrainGrowth>().smooth_mm));
+  return volume::largestPart(volume::open(volume::fillHoles(volume::close(soft, kSulcus_mm)), kSmooth_mm));
 }
 
 }  // namespace facenav::segmentation

@@ -14,7 +14,6 @@
 #include "facenav/volume/smoothing.h"
 #include "scan_grid.h"
 #include "scan_sharpness.h"
-#include "surface_doubts.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -23,8 +22,12 @@ using volume::Mask;
 using volume::Volume;
 using volume::VoxelGrid;
 
+constexpr double kMargin_mm = 16;  // around the first mask: room for the search and for the closing's ball
+
 constexpr float kMostDoubt_mm = 30;  // doubt where another limit finds no brain at all
 constexpr double kLeastThreshold = 0.3, kSmithsThreshold = 0.5;
+constexpr double kSafeShare = 0.8;  // of the first ball: only brain, its fluid and ventricles
+constexpr float kAirShare = 0.1f;   // share of the brain's median below which is air
 
 /// BET's threshold as a share of white matter, set between this scan's own fluid and grey matter: if grey
 /// matter is dark, Smith's 0.5 would stop inside it.
@@ -59,6 +62,8 @@ Volume softened(Volume image) {
   return volume::spread(std::move(image), Eigen::Vector3d::Constant(settingsOf<BrainGrowth>().softening_mm2));
 }
 
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is given
+
 /// Doubt of the surface: distance to the surfaces of a stricter and a more generous limit of tissue, from the
 /// mean of the fluid in sulci to where grey matter's class begins. The generous one may also pass into
 /// sinuses and dura.
@@ -67,16 +72,20 @@ std::vector<BoundaryDoubt> doubtsOf(const Mask& brain, const Refinement& refinem
   const auto awayOf = [&](double stricter, double rise) {
     return volume::distanceTo(volume::surfaceVoxels(refinement.brain(stricter, rise)));
   };
-  auto strict = std::async(std::launch::async, [&] { return awayOf(growth.doubt_share, growth.rise); });
-  std::vector<float> furthest = awayOf(-growth.doubt_share, kSignificant * growth.rise);
+  auto strict = std::async(std::launch::async, [&] { return awayOf(growth.strict_share, growth.rise); });
+  std::vector<float> furthest = awayOf(-growth.generous_share, growth.generous_rise);
   const std::vector<float> other = strict.get();
   for (std::size_t v = 0; v < furthest.size(); ++v) furthest[v] = std::max(furthest[v], other[v]);
-  return doubtsOver(brain, [&](std::size_t v) { return std::min(furthest[v], kMostDoubt_mm); });
-}
-
-/// The mask on a grid with room for the search and for the coarse closing's ball.
-Mask withRoom(const Mask& first, double search_mm) {
-  return volume::resample(first, partAround(first, search_mm + settingsOf<BrainGrowth>().hull_mm));
+  const Mask surface = volume::surfaceVoxels(brain);
+  std::vector<BoundaryDoubt> doubts;
+  std::size_t at = 0;
+  for (int k = 0; k < brain.grid.size[2]; ++k)
+    for (int j = 0; j < brain.grid.size[1]; ++j)
+      for (int i = 0; i < brain.grid.size[0]; ++i, ++at)
+        if (surface.voxels[at] && (i + j + k) % kDoubtStep == 0)
+          doubts.push_back(
+              {brain.grid.toMri({double(i), double(j), double(k)}), std::min(furthest[at], kMostDoubt_mm)});
+  return doubts;
 }
 
 /// Limit of air: a share of the median in the ball, which fluid and air hardly change.
@@ -109,8 +118,8 @@ GrowthStart startFromHead(const Volume& working, TaskMonitor& monitor) {
   bet.fractional_threshold = fractionalThreshold(out.rough, by_head.intensities.t2);
   const BrainStart start = centredOnBrain(coarse, by_head, bet.fractional_threshold, monitor);
   const Mask whole = enclosed(evolveBet(coarse, start.sphere, start.intensities, bet, monitor), working.grid);
+  out.first = volume::resample(whole, partAround(whole, kMargin_mm));
   out.search_mm = settingsOf<BrainGrowth>().search_mm;
-  out.first = withRoom(whole, out.search_mm);
   return out;
 }
 
@@ -123,7 +132,7 @@ GrowthStart startFromOutline(const Volume& working, const Mask& outline, double 
                                                 airLimit(coarse, out.sphere)));
   out.rough =
       fitTissue(halved(out.working), ballOf(coarse.grid, ball.centre_mm, kSafeShare * ball.radius_mm));
-  out.first = withRoom(outline, search_mm);
+  out.first = volume::resample(outline, partAround(outline, kMargin_mm));
   out.search_mm = search_mm;
   return out;
 }

@@ -13,7 +13,9 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
+constexpr double kThinnest_mm = 2.5;  // half the thickness: ears are thinner
 constexpr double kRegrow_mm = 24;
+constexpr double kOuter_mm = 5;  // depth below the outer side
 constexpr float kAir = 0.5f;
 constexpr double kUnsure = 4;  // voxels at the window's end, where one of the two windows is missing
 
@@ -56,7 +58,7 @@ Mask findPads(const Mask& solid, const Volume& air, const HeadOutline& outline) 
   far = volume::open(far, kThinnest_mm);
   Mask outer = far;  // sinuses that the scan's end opens have no outer side
   for (std::size_t v = 0; v < outer.voxels.size(); ++v)
-    outer.voxels[v] = far.voxels[v] && depth_mm[v] < float(outline.pad_away_mm);
+    outer.voxels[v] = far.voxels[v] && depth_mm[v] < float(kOuter_mm);
   const int reach = int(kRegrow_mm / far.grid.spacing_mm().minCoeff());
   const double voxel_ml = far.grid.voxelVolume_mm3() * 1e-3;
   far = volume::withoutSpecks(volume::grow(outer, far, reach),

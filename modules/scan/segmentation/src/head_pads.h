@@ -10,9 +10,6 @@
 
 namespace facenav::segmentation {
 
-/// Half the thickness of the thinnest thing that counts: ears are thinner.
-constexpr double kThinnest_mm = 2.5;
-
 /// Probability of air by the brain prior's network on `grid`. Beside and above the network's window: the
 /// value at the window's end; below it: 0. nullopt if no brain is found or the weights are missing.
 std::optional<volume::Volume> airByPrior(const volume::Volume& scan, const volume::VoxelGrid& grid);

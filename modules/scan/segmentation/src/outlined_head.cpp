@@ -28,6 +28,7 @@ constexpr double kSkinBlur_mm = 2;     // further from the head, none of its own
 constexpr double kAround_mm = 4;       // radius of a place's surroundings
 constexpr double kPadContact_mm = 10;  // this near to a pad, the pad's level counts as air's
 constexpr double kLeastTissue = 0.5;   // share of the scan's tissue that shading leaves in a head
+constexpr double kThinPad_mm = 2;      // half the thickness of a thing worth naming
 constexpr double kHaze_mm = 6;         // haze is measured this near to the head
 constexpr double kMuchHaze = 0.05;     // as a share of the skin's signal; scans without it show 0.02
 constexpr int kRounds = 2;
@@ -113,7 +114,7 @@ double leftOut_ml(const Mask& first, const Mask& head, const std::optional<Volum
     beside.voxels[v] =
         first.voxels[v] && away_mm[v] > float(kSkinBlur_mm) && !(air && air->voxels[v] < kSureAir);
   const double voxel_ml = beside.grid.voxelVolume_mm3() * 1e-3;
-  beside = open(beside, kThinnest_mm);
+  beside = open(beside, kThinPad_mm);
   return volume::withoutSpecks(beside, std::size_t(least_ml / voxel_ml) + 1).volume_ml();
 }
 

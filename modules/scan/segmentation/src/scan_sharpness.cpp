@@ -21,6 +21,7 @@ constexpr double kCoarsest_mm = 1.5;  // coarsest voxel whose point spread can b
 constexpr double kBrightest = 1.15;   // relative to white matter: vessels are brighter
 constexpr double kDeep_mm = 3.2;      // deeper in white matter there is only noise
 constexpr double kPass_mm2 = 0.5;     // variance added by one pass of `smoothed` on a grid of 1 mm
+constexpr double kMostVariance = 0.5;
 
 float laplacian(const float* at, std::size_t row, std::size_t slab) {
   return at[-1] + at[1] + at[row] + *(at - row) + at[slab] + *(at - slab) - 6 * *at;
@@ -75,8 +76,8 @@ Volume atCommonSharpness(const Volume& image, const volume::VoxelGrid& scan, con
     edge2_mm2[a] = std::pow(std::clamp(scan.mri_from_voxel.linear().row(a).norm(), 1.0, kCoarsest_mm), 2);
   Eigen::Vector3d more;
   for (int a = 0; a < 3; ++a)
-    more[a] =
-        std::clamp(common_mm2 - own - kSpread * (edge2_mm2[a] - edge2_mm2.mean()), -kPass_mm2, kPass_mm2);
+    more[a] = std::clamp(common_mm2 - own - kSpread * (edge2_mm2[a] - edge2_mm2.mean()), -kMostVariance,
+                         kMostVariance);
   return volume::spread(image, more);
 }
 
@@ -102,7 +103,7 @@ Volume calmed(const Volume& flat, double noise, double contrast) {
   // The kernel (v/2, 1 - v, v/2) leaves (1 - v)^2 + v^2 / 2 of the variance along each axis.
   const double along = std::pow(wanted, 2.0 / 3);
   const double root = std::max(0.0, 1 - 1.5 * (1 - along));
-  const double variance = std::min(kPass_mm2, (1 - std::sqrt(root)) / 1.5);
+  const double variance = std::min(kMostVariance, (1 - std::sqrt(root)) / 1.5);
   return volume::spread(flat, Eigen::Vector3d::Constant(variance));
 }
 

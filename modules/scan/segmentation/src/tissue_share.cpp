@@ -12,7 +12,6 @@
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "facenav/volume/smoothing.h"
-#include "grown_brain.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -22,6 +21,7 @@ using volume::Volume;
 
 constexpr double kMargin_mm = 4;  // margin, so that the field reaches 0 within the grid
 constexpr double kRim_mm = 1.5;   // rim around the mask: fluid, not yet skull
+constexpr double kCore_mm = 4;    // deeper within the mask there is only brain
 
 Volume shareOf(const Volume& flat, const TissueModel& tissue) {
   Volume share = flat;
@@ -66,7 +66,7 @@ Volume tissueShare(const Volume& mri, const Mask& brain, double spacing_mm, Task
   // includes the fluid around the brain.
   const Volume calm = smoothed(image);
   const TissueModel rough = fitTissue(calm, dilate(inside, kRim_mm));
-  const TissueModel tissue = fitTissue(calm, erode(inside, GrowthStart().core_mm), &rough);
+  const TissueModel tissue = fitTissue(calm, erode(inside, kCore_mm), &rough);
   requireTissueContrast(tissue);
   monitor.report("opening the sulci", 0.6);
   Volume share = shareOf(corrected(image, tissue), tissue);

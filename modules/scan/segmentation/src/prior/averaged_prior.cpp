@@ -20,8 +20,9 @@ constexpr float kAir = 0.06f;
 constexpr float kBrighter = 0.6f, kDarker = 1.7f;  // exponents
 constexpr double kZoom = 0.9;  // voxel size relative to the network's: the head is seen this much finer
 constexpr double kTurn_deg = 12;
-constexpr int kFirstViews = 4;  // number of views in findBrainPrior
-constexpr int kPerVoxel = 4;    // working voxels along a window's voxel
+constexpr double kShift_mm = 1.8;  // half a voxel of the finer window
+constexpr int kFirstViews = 4;     // number of views in findBrainPrior
+constexpr int kPerVoxel = 4;       // working voxels along a window's voxel
 
 struct View {
   Volume window;
@@ -56,7 +57,7 @@ std::vector<View> moreViews(const Volume& working, const BrainPrior& prior) {
   const Volume half = halved(working);
   const Point<Mri> centre = prior.brain.grid.centre(), brain(ballLike(prior.mask()).centre_mm);
   const Volume first = headWindow(halved(half), centre), second = headWindow(halved(half, 1), centre);
-  const Point<Mri> shifted(brain.mm + Eigen::Vector3d::Constant(0.5 * kPerVoxel * kZoom));  // half a voxel
+  const Point<Mri> shifted(brain.mm + Eigen::Vector3d::Constant(kShift_mm));
   return {{withCurve(first, IntensityCurve::brighter), false},
           {withCurve(second, IntensityCurve::darker), true},
           {withCurve(first, IntensityCurve::inverted), false},

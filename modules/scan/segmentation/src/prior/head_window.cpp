@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "prior/prior_network.h"
 
 namespace facenav::segmentation {
 namespace {
 
-constexpr double kBeyond = 0.02;  // share of the window's values below black, and above white
+constexpr double kBlack = 0.02, kWhite = 0.98;        // percentiles of the window
 constexpr float kLeastValue = -0.2f, kMostValue = 2;  // as in synthesis.py
+constexpr float kTiny = 1e-6f;
 
 float valueAtShare(const std::vector<float>& sorted, double share) {
   return sorted[std::size_t(share * double(sorted.size() - 1))];
@@ -37,11 +37,11 @@ volume::Volume headWindow(const volume::Volume& coarse, const Point<Mri>& centre
       }
   std::vector<float> sorted = window.voxels;
   std::sort(sorted.begin(), sorted.end());
-  const float black = valueAtShare(sorted, kBeyond), white = valueAtShare(sorted, 1 - kBeyond);
-  const float range = std::max(white - black, std::numeric_limits<float>::min());
+  const float black = valueAtShare(sorted, kBlack), white = valueAtShare(sorted, kWhite);
   for (std::size_t n = 0; n < window.voxels.size(); ++n)
-    window.voxels[n] =
-        is_scanned[n] ? std::clamp((window.voxels[n] - black) / range, kLeastValue, kMostValue) : 0.f;
+    window.voxels[n] = is_scanned[n] ? std::clamp((window.voxels[n] - black) / (white - black + kTiny),
+                                                  kLeastValue, kMostValue)
+                                     : 0.f;
   return window;
 }
 

@@ -76,13 +76,13 @@ struct HistogramBins {
 
 /// Bins from the dark to the bright end of the values nearer to the outline than `reach_mm`.
 inline HistogramBins binsOf(const volume::Volume& image, const std::vector<float>& depth_mm, float reach_mm) {
-  constexpr double kBeyond = 0.01;  // share of the values beyond each end
+  constexpr double kDark = 0.01, kBright = 0.99;  // shares of the values
   std::vector<float> values;
   for (std::size_t v = 0; v < image.voxels.size(); v += 3)
     if (std::abs(depth_mm[v]) < reach_mm) values.push_back(image.voxels[v]);
   if (values.empty()) return {};
-  const float low = selectRank(values, std::size_t(kBeyond * double(values.size() - 1)));
-  const float high = selectRank(values, std::size_t((1 - kBeyond) * double(values.size() - 1)));
+  const float low = selectRank(values, std::size_t(kDark * double(values.size() - 1)));
+  const float high = selectRank(values, std::size_t(kBright * double(values.size() - 1)));
   return {low, high > low ? float(kHistogramBins) / (high - low) : 0.f};
 }
 

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "facenav/core/settings_in_force.h"
-#include "facenav/segmentation/brain_growth.h"
 #include "facenav/volume/mask_morphology.h"
 #include "facenav/volume/regrid.h"
 #include "facenav/volume/smoothing.h"
 #include "prior/local_evidence.h"
 #include "prior/stated_doubt.h"
 #include "prior/tissue_mixture.h"
-#include "surface_doubts.h"
 
 namespace facenav::segmentation {
 namespace {
@@ -19,10 +16,14 @@ namespace {
 using volume::Mask;
 using volume::Volume;
 
+constexpr double kMargin_mm = 14;
+
 Mask whole(const Mask& brain, const PriorUse& use) {
   const Mask closed = fillHoles(close(brain, use.sulcus_mm));
-  return largestPart(open(closed, settingsOf<BrainGrowth>().smooth_mm));
+  return largestPart(open(closed, use.smooth_mm));
 }
+
+constexpr int kDoubtStep = 2;  // voxels between the places where doubt is given
 
 /// Distance of each voxel to the surface of the region at or above `level`.
 std::vector<float> awayFrom(const std::vector<float>& values, float level, const volume::VoxelGrid& grid) {
@@ -40,6 +41,20 @@ std::vector<float> sumOf(std::vector<float> a, const std::vector<float>& b) {
 std::vector<float> priorWidth_mm(const Volume& probability) {
   return sumOf(awayFrom(probability.voxels, 0.25f, probability.grid),
                awayFrom(probability.voxels, 0.75f, probability.grid));
+}
+
+/// Calls `doubt_at(v)` for every other voxel of the surface.
+template <class DoubtAt>
+std::vector<BoundaryDoubt> doubtsOver(const Mask& mask, DoubtAt&& doubt_at) {
+  const Mask surface = volume::surfaceVoxels(mask);
+  std::vector<BoundaryDoubt> doubts;
+  std::size_t v = 0;
+  for (int k = 0; k < surface.grid.size[2]; ++k)
+    for (int j = 0; j < surface.grid.size[1]; ++j)
+      for (int i = 0; i < surface.grid.size[0]; ++i, ++v)
+        if (surface.voxels[v] && (i + j + k) % kDoubtStep == 0)
+          doubts.push_back({surface.grid.toMri({double(i), double(j), double(k)}), doubt_at(v)});
+  return doubts;
 }
 
 /// Doubts by the width of the prior's edge, and the distance by which the scan moved its outline.
@@ -70,10 +85,9 @@ struct Beginning {
   Mask outline;
 };
 
-/// The grid has room for the fit's reach and the closing of sulci.
-Beginning beginningOf(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
-  const volume::VoxelGrid grid = volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(),
-                                                    use.other_reach_mm + 2 * use.sulcus_mm);
+Beginning beginningOf(const Volume& working, const BrainPrior& prior) {
+  const volume::VoxelGrid grid =
+      volume::gridAround(prior.mask(), working.grid.spacing_mm().mean(), kMargin_mm);
   Beginning begun{volume::resample(prior.brain, grid), {grid, std::vector<std::uint8_t>(grid.count())}};
   for (std::size_t v = 0; v < grid.count(); ++v)
     begun.outline.voxels[v] = begun.probability.voxels[v] >= 0.5f;
@@ -105,11 +119,11 @@ Mask movedOutline(const Volume& working, const Beginning& begun, const PriorUse&
 }  // namespace
 
 Mask refinedMask(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
-  return movedOutline(working, beginningOf(working, prior, use), use);
+  return movedOutline(working, beginningOf(working, prior), use);
 }
 
 RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
-  Beginning begun = beginningOf(working, prior, use);
+  Beginning begun = beginningOf(working, prior);
   Mask moved = movedOutline(working, begun, use);
   RefinedPrior refined{std::move(begun.outline), std::move(moved), {}};
   refined.doubts = doubtsOf(refined, begun.probability, use);
@@ -117,7 +131,7 @@ RefinedPrior refinedPrior(const Volume& working, const BrainPrior& prior, const 
 }
 
 RefinedPrior refinedByTissue(const Volume& working, const BrainPrior& prior, const PriorUse& use) {
-  Beginning begun = beginningOf(working, prior, use);
+  Beginning begun = beginningOf(working, prior);
   const std::vector<float> from_outline = depthBelow(begun.outline);
   const volume::VoxelGrid& grid = begun.outline.grid;
   const TissueShares shares{std::move(begun.probability), volume::resample(prior.fluid, grid)};

@@ -14,7 +14,7 @@
 namespace facenav::segmentation {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 1, kMostTensors = 1000, kMostRank = 5, kMostSize = 4096;
 
 /// Reads the file's bytes in order; throws past their end.
 class Bytes {
@@ -28,11 +28,10 @@ class Bytes {
     at_ += sizeof value;
     return value;
   }
-  /// A number of things that the file holds: of more than it has bytes it cannot.
-  std::size_t nextSize() { return possible(next<std::uint32_t>()); }
-  std::size_t possible(std::size_t size) const {
-    if (size > bytes_.size()) fail("holds a size that is not possible");
-    return size;
+  std::uint32_t nextUpTo(std::uint32_t most) {
+    const auto value = next<std::uint32_t>();
+    if (value > most) fail("holds a size that is not possible");
+    return value;
   }
   bool isAtEnd() const { return at_ == bytes_.size(); }
   [[noreturn]] void fail(const std::string& what) const {
@@ -70,11 +69,12 @@ std::vector<PriorTensor> readPriorWeights(const std::filesystem::path& path) {
   const auto magic = bytes.next<std::array<char, 4>>();
   if (std::memcmp(magic.data(), "FNBP", 4) != 0) bytes.fail("is of another kind");
   if (bytes.next<std::uint32_t>() != kVersion) bytes.fail("is of another version");
-  std::vector<PriorTensor> tensors(bytes.nextSize());
+  std::vector<PriorTensor> tensors(bytes.nextUpTo(kMostTensors));
   for (auto& tensor : tensors) {
     std::size_t count = 1;
-    tensor.size.resize(bytes.nextSize());
-    for (int& size : tensor.size) count = bytes.possible(count * std::size_t(size = int(bytes.nextSize())));
+    tensor.size.resize(bytes.nextUpTo(kMostRank));
+    for (int& size : tensor.size) count *= std::size_t(size = int(bytes.nextUpTo(kMostSize)));
+    if (count > content.size()) bytes.fail("holds a size that is not possible");
     tensor.values.resize(count);
   }
   for (auto& tensor : tensors)

@@ -4,8 +4,6 @@
 #include <array>
 
 #include "facenav/core/robust_statistics.h"
-#include "facenav/core/settings_in_force.h"
-#include "facenav/segmentation/prior_use.h"
 #include "facenav/volume/mask_morphology.h"
 
 namespace facenav::segmentation {
@@ -15,7 +13,9 @@ namespace {
 // resources/doc/evidence.md). FLAIR uses the map of proton density: a map of its own did worse on held-out
 // heads. Larger doubts are the safe direction.
 constexpr float kPriorWidth = 0.054f, kMoved = 0.031f, kFitWidth = 0.151f;  // least squares, none below 0
+constexpr float kMostFitWidth_mm = 20;
 constexpr float kOfScan = 0.75f;  // share of a scan's own level of scores that is subtracted
+constexpr float kLeastStated_mm = 0.2f;
 constexpr std::array<float, 5> kStated_mm{1, 2, 3, 5, 8};
 
 struct DoubtMap {
@@ -44,8 +44,7 @@ const DoubtMap& mapOf(ContrastKind kind) {
 
 /// Interpolates linearly between the map's places, and from the first one down to 0 at score 0.
 float stated_mm(float score, const DoubtMap& map) {
-  if (score < map.scores[0])
-    return std::max(float(settingsOf<PriorUse>().doubt_base_mm), kStated_mm[0] * score / map.scores[0]);
+  if (score < map.scores[0]) return std::max(kLeastStated_mm, kStated_mm[0] * score / map.scores[0]);
   std::size_t above = 1;
   while (above + 1 < map.scores.size() && score > map.scores[above]) ++above;
   const float low = map.scores[above - 1], share = (score - low) / (map.scores[above] - low);
@@ -56,9 +55,8 @@ float stated_mm(float score, const DoubtMap& map) {
 }  // namespace
 
 float doubtScore(const PlaceEvidence& evidence) {
-  const float most_fit_mm = 2 * float(settingsOf<PriorUse>().other_reach_mm);  // the fit reaches no farther
   return kPriorWidth * evidence.prior_width_mm + kMoved * evidence.moved_mm +
-         kFitWidth * std::min(evidence.fit_width_mm, most_fit_mm);
+         kFitWidth * std::min(evidence.fit_width_mm, kMostFitWidth_mm);
 }
 
 void stateDoubts(std::vector<BoundaryDoubt>& scores, ContrastKind kind) {

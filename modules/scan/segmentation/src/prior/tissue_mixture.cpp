@@ -13,7 +13,7 @@ namespace {
 
 using volume::Volume;
 
-constexpr int kRatioSmoothings = 1;
+constexpr int kLatticeSmoothings = 2, kRatioSmoothings = 1;
 // Least shares of the two other classes: open sulci deep in the prior's outline contain fluid, but nothing
 // else but brain. Chosen by judgement.
 constexpr float kLeastFluid = 0.1f, kLeastOther = 0.002f;
@@ -29,8 +29,8 @@ Shares3 sharpened(const Shares3& s) {
   return {b / sum, f / sum, o / sum};
 }
 
-void makeLogarithms(HistogramLattice& lattice, int smoothings) {
-  for (int n = 0; n < smoothings; ++n) lattice.smooth();
+void makeLogarithms(HistogramLattice& lattice) {
+  for (int n = 0; n < kLatticeSmoothings; ++n) lattice.smooth();
   for (std::size_t n = 0; n < lattice.count(); ++n) {
     Histogram h = smoothedBins(lattice[n]);
     float sum = kPseudoVoxels * kHistogramBins;
@@ -97,7 +97,7 @@ class TissueMixture {
         });
       });
     for (HistogramLattice* lattice : {&classes.brain, &classes.fluid, &classes.other})
-      makeLogarithms(*lattice, use_.lattice_smoothings);
+      makeLogarithms(*lattice);
     return classes;
   }
   /// Log ratio of brain to the mixture of fluid and the rest.

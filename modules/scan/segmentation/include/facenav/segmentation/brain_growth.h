@@ -23,11 +23,14 @@ struct BrainGrowth {
   double regrow_mm = 4.5;
   double sulcus_mm = 3.6;
   double hull_mm = 10;
+  double deep_mm = 5;
   double smooth_mm = 1.5;
   double common_spread_mm2 = 0.40;
   double softening_mm2 = 0.15;
   double calm_noise = 0.09;
-  double doubt_share = 0.125;
+  double strict_share = 0.125;
+  double generous_share = 0.125;
+  double generous_rise = 0.15;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -63,10 +66,12 @@ struct BrainGrowth {
   template <class Self, class Visitor>
   static void visitSurroundings(Self& self, Visitor&& visitor) {
     visitor(kThreeHeads("sulcus_mm", 0, 10, "mm", "sulci up to twice this wide are closed"), self.sulcus_mm);
-    visitor(
-        kNotRecorded("hull_mm", 0, 30, "mm",
-                     "radius of a coarse closing; what lies half of it deep is inside: ventricles, fissures"),
-        self.hull_mm);
+    visitor(kNotRecorded("hull_mm", 0, 30, "mm",
+                         "radius of a coarse closing; what lies deep_mm below it is inside"),
+            self.hull_mm);
+    visitor(kNotRecorded("deep_mm", 0, 20, "mm",
+                         "what lies this deep in the coarse closing is inside: ventricles, fissures"),
+            self.deep_mm);
     visitor(kNotRecorded("smooth_mm", 0, 5, "mm", "spikes thinner than twice this are cut"), self.smooth_mm);
     visitor(kSharpness("common_spread_mm2", 0, 2, "mm2",
                        "variance of the point spread at which every scan is judged"),
@@ -77,11 +82,14 @@ struct BrainGrowth {
     visitor(kNoise("calm_noise", 0.01, 1, "1",
                    "noise left, per contrast: single voxels lie 5 deviations from the limit"),
             self.calm_noise);
-    visitor(
-        kDoubt("doubt_share", 0, 0.3, "1",
-               "how much stricter and more generous the limits of tissue are for the stated uncertainty; the "
-               "generous one allows three times the rise"),
-        self.doubt_share);
+    visitor(kDoubt("strict_share", 0, 0.5, "1",
+                   "how much stricter the strict limit of tissue is, for the stated uncertainty"),
+            self.strict_share);
+    visitor(kDoubt("generous_share", 0, 0.3, "1",
+                   "how much more generous the generous limit of tissue is, for the stated uncertainty"),
+            self.generous_share);
+    visitor(kDoubt("generous_rise", 0, 1, "1", "the rise that the generous limit allows"),
+            self.generous_rise);
   }
 
   static constexpr Evidence kThreeHeads{

@@ -30,6 +30,7 @@ struct PriorUse {
   double other_evidence = 1.5;
   double other_inwards = 0.3;
   double sulcus_mm = 2;
+  double smooth_mm = 1.5;
   double doubt_base_mm = 0.2;
   double doubt_width = 0.15;
   double doubt_moved = 0.3;
@@ -68,6 +69,7 @@ struct PriorUse {
     visitor(kHeads("prior_rounds", 0, 5, "1", "how often intensities are compared anew"), self.rounds);
     visitOthers(self, visitor);
     visitor(kHeads("prior_sulcus_mm", 0, 10, "mm", "sulci up to twice this wide are closed"), self.sulcus_mm);
+    visitor(kHeads("prior_smooth_mm", 0, 5, "mm", "spikes thinner than twice this are cut"), self.smooth_mm);
     visitDoubt(self, visitor);
   }
 
