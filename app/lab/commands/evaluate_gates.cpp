@@ -64,6 +64,8 @@ class GateFiles {
     if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(file))
       throw Error("exists and is no result of an evaluation of gates", folder.string(),
                   "choose another folder with -o");
+    if (!has_worlds && !fs::exists(file))
+      throw Error("holds no kept worlds", folder.string(), "run it once with --keep in place of --kept");
     fs::create_directories(folder);
     if (!has_worlds) {
       earlier_ = earlierSummary();
