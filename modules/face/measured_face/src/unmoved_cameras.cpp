@@ -1,6 +1,9 @@
 #include "facenav/measured_face/unmoved_cameras.h"
 
+#include <cmath>
+
 #include "facenav/core/number_text.h"
+#include "facenav/health/face_offset.h"
 #include "facenav/health/pair_diagnosis.h"
 #include "facenav/health/rig_error.h"
 #include "facenav/health/rig_monitor.h"
@@ -11,29 +14,39 @@ namespace facenav::measured_face {
 namespace {
 
 constexpr double kClearStatistic = 40;  // as in health::RigHealth: twice the monitor's own threshold
+constexpr double kWrong_mm = 3;         // error of a wrong pose
+
+/// True if the face lies off its lines so far that its depth is likely wrong, by whatever cause.
+bool meansWrongDepth(const cameras::StereoRig& rig, const health::FaceOffset& offset) {
+  return offset.isSignificant() &&
+         std::abs(offset.median_px) > health::offsetOfDepthError_px(rig, kWrong_mm, offset.depth_mm);
+}
 
 }  // namespace
 
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
                            const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
                            const FaceInSpace& landmarks) {
-  health::RigMonitor monitor(rig);
-  monitor.add(health::matchSurface(rig, measured, face.cloud, face.left_px));
-  const auto estimate = monitor.estimate();
-  if (!estimate.hasMoved()) return;
   const auto face_px = landmarks.left ? face::outlineOf(*landmarks.left) : health::outlineOf(face.left_px);
+  health::RigMonitor monitor(rig);
+  const auto matches = health::matchSurface(rig, measured, face.cloud, face.left_px, face_px);
+  monitor.add(matches);
+  const auto estimate = monitor.estimate();
+  const auto offset = health::faceOffset(rig, matches);
+  if (!estimate.hasMoved() && !offset.isSignificant()) return;
   const auto diagnosis = health::diagnosePair(rig, plain, face_px);
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
   // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.
   const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});
   if (is_clear)
     throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");
-  if (diagnosis.state != health::RigState::holds)
+  const bool is_wrong = meansWrongDepth(rig, offset);
+  if (is_wrong || (estimate.hasMoved() && diagnosis.state != health::RigState::holds))
     throw health::RigError(
         "not aligned: " +
             formatted("the pictures do not fit the calibration (%.2f px across the epipolar lines): "
                       "a camera has moved since, or they were taken at two moments",
-                      estimate.epipolar_px),
+                      is_wrong ? std::abs(offset.median_px) : estimate.epipolar_px),
         {}, "trigger both cameras together; if they are, calibrate again");
 }
 

@@ -7,6 +7,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/health/pair_matches.h"
 #include "facenav/health/rig_monitor.h"
+#include "facenav/health/surface_matches.h"
 #include "relative_pose.h"
 #include "skin_evenness.h"
 
@@ -20,6 +21,7 @@ constexpr double kExplainedCost = 3.8;  // cost per match: 1.9 for pure Student'
 constexpr PosePrior kAnyRig{0.25, 60.0};
 constexpr double kKnockDoubt = 25.0;  // decrease of cost: above this it is not a knock
 constexpr double kDecided = 6.0;      // difference of cost: one cause is 20 times as likely as the other
+constexpr double kFarBaselines = 10;  // a face in front of the cameras, in baselines
 constexpr std::size_t kFewestOnSkin = 150;
 // Limit of the residual common to neighbouring skin, in standard errors of a match: above it the pictures are
 // of two moments. A lower limit rejects more right pairs. Evidence: resources/doc/evidence.md.
@@ -61,11 +63,9 @@ Fit fitOf(const Eigen::Isometry3d& pose, const std::vector<RayPair>& rays) {
 /// The matches inside the outline in the left picture; all, if it is empty.
 std::vector<Correspondence> within(const std::vector<cv::Point>& outline,
                                    const std::vector<Correspondence>& matches) {
-  if (outline.empty()) return matches;
   std::vector<Correspondence> kept;
   for (const auto& match : matches)
-    if (cv::pointPolygonTest(outline, {float(match.left_px.x()), float(match.left_px.y())}, false) >= 0)
-      kept.push_back(match);
+    if (isInside(outline, match.left_px)) kept.push_back(match);
   return kept;
 }
 
@@ -89,6 +89,21 @@ bool isWithinCalibration(const cameras::StereoRig& rig, const std::vector<Corres
 }
 
 bool isExplained(const Fit& fit) { return fit.share > kHoldsShare && fit.median < kHolds; }
+
+/// The calibration's pose of the right camera; or, if the matches lie behind the cameras with it, a pose that
+/// sees their middle in front: from the calibration's pose no search reaches the one that fits.
+Eigen::Isometry3d startOf(const Eigen::Isometry3d& calibrated, const std::vector<RayPair>& rays) {
+  Eigen::Vector2d left(0, 0), right(0, 0);
+  std::size_t behind = 0;
+  for (const auto& pair : rays) {
+    behind += std::isinf(epipolarDistance(calibrated, pair));
+    left += pair.left / double(rays.size()), right += pair.right / double(rays.size());
+  }
+  if (2 * behind < rays.size()) return calibrated;
+  const Eigen::Vector3d point = kFarBaselines * calibrated.translation().norm() * left.homogeneous();
+  return Eigen::Isometry3d(Eigen::Quaterniond::FromTwoVectors(calibrated * point, right.homogeneous())) *
+         calibrated;
+}
 
 /// The face matches nowhere: it may be of two moments. The rest of the pictures cannot tell more than that,
 /// or that they are exchanged, since clothes and wallpaper match in wrong places.
@@ -121,7 +136,7 @@ PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<C
     diagnosis.agreement = swapped.share;
     return diagnosis;
   }
-  const RelativePose best = refinePose(calibrated, rays, &kAnyRig),
+  const RelativePose best = refinePose(startOf(calibrated, rays), rays, &kAnyRig),
                      knocked = refinePose(calibrated, rays, &kKnock);
   const Fit explained = fitOf(best.right_T_left, rays);
   diagnosis.agreement = explained.share;
@@ -159,8 +174,10 @@ OffsetCause likelierCause(const cameras::StereoRig& rig, const std::vector<Corre
   const RelativePose moved = refinePose(calibrated, all_rays, &kKnock);
   const double by_head = costOf(calibrated, room_rays) + refinePose(calibrated, face_rays, &kKnock).cost;
   if (moved.cost - by_head > kDecided) return OffsetCause::two_exposures;
-  // Wallpaper matches one pattern off: a room that no motion explains is no evidence of one.
-  const bool is_motion = by_head - moved.cost > kDecided && isExplained(fitOf(moved.right_T_left, room_rays));
+  // Wallpaper matches one pattern off: a room that no motion explains is no evidence of one. Nor is a room
+  // that is off its lines by the calibration's own error.
+  const bool is_motion = by_head - moved.cost > kDecided &&
+                         isExplained(fitOf(moved.right_T_left, room_rays)) && !isWithinCalibration(rig, room);
   return is_motion ? OffsetCause::camera_moved : OffsetCause::unknown;
 }
 

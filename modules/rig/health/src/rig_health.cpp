@@ -16,9 +16,10 @@ constexpr std::size_t kFirstInterval = 5, kLaterInterval = 30;  // frames betwee
 
 void RigHealth::start(const cameras::StereoFrame& pair, const PointCloud<Camera>& face,
                       const std::vector<Eigen::Vector2f>& left_px, const std::vector<cv::Point>& face_px) {
-  monitor_.add(matchSurface(rig_, pair, face, left_px));
+  const auto outline = face_px.empty() ? outlineOf(left_px) : face_px;
+  monitor_.add(matchSurface(rig_, pair, face, left_px, outline));
   estimate_ = monitor_.estimate();
-  const auto diagnosis = diagnosePair(rig_, pair, face_px.empty() ? outlineOf(left_px) : face_px);
+  const auto diagnosis = diagnosePair(rig_, pair, outline);
   if (diagnosis.isFault()) reference_fault_ = diagnosis.verdict();
   has_fitted_ = diagnosis.state == RigState::holds;
 }

@@ -20,9 +20,6 @@ constexpr double kGross_px = 20;     // a wrong match, not a moved camera
 constexpr double kHarmful_mm = 0.5;  // smaller errors are no reason to stop
 constexpr double kHarmful_px = 0.6;  // of rows, as the motion explains them: two sigmas of a match on skin
 constexpr double kTellsScatter = 4;  // fewest matches of a cell that determine their scatter
-// Patches of 15 px side by side on a glint, a fold, a strand of hair or a compression block share their
-// errors: this fraction of their scatter does not average out in a cell.
-constexpr double kSharedShare = 0.3;
 // A moved camera moves all points; a repeating pattern (knitwear) moves only those in one place. Least
 // decrease of the points' mean squared residual by the motion, in sigmas, each at most four.
 constexpr double kComesNearer = 0.3;

@@ -6,14 +6,23 @@
 #include "facenav/cameras/patch_match.h"
 
 namespace facenav::health {
+namespace {
+
+constexpr std::size_t kEnough = 600, kMostTries = 4 * kEnough;
+
+}  // namespace
 
 std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                                          const PointCloud<Camera>& surface,
-                                         const std::vector<Eigen::Vector2f>& left_px, std::size_t most) {
+                                         const std::vector<Eigen::Vector2f>& left_px,
+                                         const std::vector<cv::Point>& outline) {
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < std::min(surface.points_mm.size(), left_px.size()); ++i)
+    if (isInside(outline, left_px[i].cast<double>())) inside.push_back(i);
   std::vector<Correspondence> found;
-  const std::size_t count = std::min(surface.points_mm.size(), left_px.size());
-  const std::size_t tries = 4 * most, step = std::max<std::size_t>(1, count / tries);
-  for (std::size_t i = step / 2; i < count && found.size() < most; i += step) {
+  const std::size_t step = std::max<std::size_t>(1, inside.size() / kMostTries);
+  for (std::size_t k = step / 2; k < inside.size() && found.size() < kEnough; k += step) {
+    const std::size_t i = inside[k];
     const Eigen::Vector3d in_right_mm = rig.right_T_left.isometry() * surface.points_mm[i];
     if (in_right_mm.z() <= 0) continue;
     const Eigen::Vector2d left = left_px[i].cast<double>();
@@ -22,6 +31,11 @@ std::vector<Correspondence> matchSurface(const cameras::StereoRig& rig, const ca
       found.push_back({left, match->right_px, match->sigma_px});
   }
   return found;
+}
+
+bool isInside(const std::vector<cv::Point>& outline, const Eigen::Vector2d& left_px) {
+  return outline.empty() ||
+         cv::pointPolygonTest(outline, {float(left_px.x()), float(left_px.y())}, false) >= 0;
 }
 
 std::vector<cv::Point> outlineOf(const std::vector<Eigen::Vector2f>& left_px) {

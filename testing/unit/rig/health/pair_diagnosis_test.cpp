@@ -98,6 +98,19 @@ TEST(PairDiagnosis, NamesTheCalibrationOfAnotherRig) {
   EXPECT_EQ(said.verdict().advice, "give the right stereo.yml, or calibrate");
 }
 
+// Another rig that converges less sees this face behind its cameras.
+TEST(PairDiagnosis, NamesAnotherRigThatSeesTheFaceBehindItself) {
+  const auto rig = testing::convergingRig();
+  const auto matches = seen(rig);
+  for (const double turn_deg : {-25.0, -30.0}) {
+    const auto other = turnedRig(rig, {1, turn_deg, 0}, {0, 0, 0});
+    const auto& some = matches.front();
+    const double depth_mm = triangulate(other, some.left_px, some.right_px).mm.z();
+    ASSERT_FALSE(depth_mm > 0 && depth_mm < 1e6) << depth_mm;
+    EXPECT_EQ(faultOf(other, matches), RigState::other_cameras) << turn_deg;
+  }
+}
+
 TEST(PairDiagnosis, NamesPicturesOfDifferentMoments) {
   const auto rig = testing::convergingRig();
   for (const Vector6d& step : {(Vector6d() << 0.02, 0.03, 0, 4, 5, -3).finished(),
@@ -180,6 +193,15 @@ TEST(OffsetCause, IsTheHeadWhereTheRoomFits) {
 TEST(OffsetCause, IsACameraWhereFaceAndRoomMovedAlike) {
   const auto rig = testing::convergingRig(), calibrated = turnedRig(rig, {0.3, 0, 0}, {0, 0, 0});
   EXPECT_EQ(likelierCause(calibrated, faceOf(seen(rig)), seenRoom(rig)), OffsetCause::camera_moved);
+}
+
+TEST(OffsetCause, IsNoCameraWhereTheCalibrationItselfIsThatInexact) {
+  const auto rig = testing::convergingRig();
+  auto calibrated = turnedRig(rig, {0.05, 0, 0}, {0, 0, 0});
+  calibrated.rms_px = 0.1;
+  ASSERT_EQ(likelierCause(calibrated, faceOf(seen(rig)), seenRoom(rig)), OffsetCause::camera_moved);
+  calibrated.rms_px = 2.0;
+  EXPECT_EQ(likelierCause(calibrated, faceOf(seen(rig)), seenRoom(rig)), OffsetCause::unknown);
 }
 
 TEST(OffsetCause, IsUnknownWithoutARoomAndWithWallpaperThatMatchesAnywhere) {

@@ -7,6 +7,7 @@
 #include "facenav/core/robust_statistics.h"
 #include "facenav/core/settings_in_force.h"
 #include "facenav/head_tracking/step_limits.h"
+#include "facenav/health/face_offset.h"
 #include "facenav/health/pair_diagnosis.h"
 
 namespace facenav::head_tracking {
@@ -23,11 +24,9 @@ double offLine_px(const cameras::StereoRig& rig, const Eigen::Vector2d& left_px,
   return f_px * line.dot(cameras::undistort(rig.right, right_px).homogeneous()) / line.head<2>().norm();
 }
 
-// Offset across the lines, px, of a motion that changes the depth by StepLimits::step_harm_mm if it goes as
-// far along the lines: depth / baseline times as much.
 double harmful_px(const cameras::StereoRig& rig, double depth_mm) {
-  const double moved_mm = settingsOf<StepLimits>().step_harm_mm * rig.baseline_mm() / depth_mm;
-  return std::max(moved_mm * rig.right.k(1, 1) / depth_mm, rig.rms_px.value_or(kUsualRms_px));
+  return std::max(health::offsetOfDepthError_px(rig, settingsOf<StepLimits>().step_harm_mm, depth_mm),
+                  rig.rms_px.value_or(kUsualRms_px));
 }
 
 double sigmaOf(const EpipolarOffset& offset) {

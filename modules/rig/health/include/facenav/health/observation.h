@@ -20,6 +20,10 @@ struct Correspondence {
   double sigma_px = 0.2;  // error across the epipolar line
 };
 
+/// Patches of 15 px side by side on a glint, a fold, a strand of hair or a compression block share their
+/// errors: this fraction of their scatter does not average out in a part of the image.
+constexpr double kSharedShare = 0.3;
+
 /// A square of known size (a marker, squares of a board) with its corners in order, in both images. Across
 /// the epipolar lines each image is measured independently.
 struct SquareObservation {
