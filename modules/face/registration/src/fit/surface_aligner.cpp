@@ -88,8 +88,9 @@ class SurfaceAligner : public Aligner {
       // The guess was poor: search around it.
     }
     // Hints may mislead and the first search is quick, so a refusal leads to a wider search. The error of the
-    // first search is thrown: it refers to the best pose, while wider searches end in worse poses.
-    std::exception_ptr reason;
+    // first search is thrown: it refers to the best pose, while wider searches end in worse poses. Unless a
+    // person can decide about the pose of a wider one.
+    std::exception_ptr reason, undecided;
     for (const auto& [width, most] :
          {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})
       try {
@@ -98,10 +99,12 @@ class SurfaceAligner : public Aligner {
         throw;
       } catch (const CameraTurned&) {
         throw;
+      } catch (const PersonUnclear&) {
+        if (!undecided) undecided = std::current_exception();
       } catch (const Error&) {
         if (!reason) reason = std::current_exception();
       }
-    std::rethrow_exception(reason);
+    std::rethrow_exception(undecided ? undecided : reason);
   }
 };
 
