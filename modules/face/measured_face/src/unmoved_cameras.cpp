@@ -8,13 +8,11 @@
 #include "facenav/health/rig_error.h"
 #include "facenav/health/rig_monitor.h"
 #include "facenav/health/surface_matches.h"
-#include "facenav/measured_face/projected_dots.h"
 
 namespace facenav::measured_face {
 namespace {
 
-constexpr double kClearStatistic = 40;  // as in health::RigHealth: twice the monitor's own threshold
-constexpr double kWrong_mm = 3;         // error of a wrong pose
+constexpr double kWrong_mm = 3;  // error of a wrong pose
 
 /// True if the face lies off its lines so far that its depth is likely wrong, by whatever cause.
 bool meansWrongDepth(const cameras::StereoRig& rig, const health::FaceOffset& offset) {
@@ -36,10 +34,6 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   if (!estimate.hasMoved() && !offset.isSignificant()) return;
   const auto diagnosis = health::diagnosePair(rig, plain, face_px);
   if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
-  // If plain skin disagrees a little but the face in the plain pair fits, the cameras did not move.
-  const bool is_clear = estimate.statistic > kClearStatistic && showsDots({measured, plain});
-  if (is_clear)
-    throw health::RigError("not aligned: " + estimate.verdict().words(), {}, "'facenav calibrate'");
   const bool is_wrong = meansWrongDepth(rig, offset);
   if (is_wrong || (estimate.hasMoved() && diagnosis.state != health::RigState::holds))
     throw health::RigError(
