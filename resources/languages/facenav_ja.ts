@@ -2493,10 +2493,6 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <translation>位置合わせできません: %1</translation>
     </message>
     <message>
-        <source>&apos;facenav calibrate&apos;</source>
-        <translation>&apos;facenav calibrate&apos;</translation>
-    </message>
-    <message>
         <source>the face does not fit this MRI: the cameras measure it at %1 of its size there</source>
         <translation>顔がこの MRI と合いません: カメラの計測は MRI の大きさの %1 です</translation>
     </message>
@@ -11341,10 +11337,6 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <translation>位置合わせできません: 顔はこの MRI に合いますが、計測が粗すぎて、この人と他の人を区別できません%1</translation>
     </message>
     <message>
-        <source>bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date of birth, and confirm that this is the patient&apos;s own MRI</source>
-        <translation>カメラを近づけ、ドットを投影し、髪や手が顔にかからないようにしてください。または氏名と生年月日を確かめ、患者本人の MRI であることを確認してください</translation>
-    </message>
-    <message>
         <source>the face was measured too coarsely to tell this person from others: a person confirmed that this is the patient&apos;s own MRI</source>
         <translation>顔の計測が粗すぎて、この人と他の人を区別できませんでした: 患者本人の MRI であることを人が確認しました</translation>
     </message>
@@ -11363,6 +11355,10 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
     <message>
         <source>trigger both cameras together; if they are, calibrate again</source>
         <translation>両方のカメラを同時にトリガーしてください。すでにそうしている場合は、較正し直してください</translation>
+    </message>
+    <message>
+        <source>not aligned: the face fits this MRI, but only to %1 mm, where other persons&apos; faces may fit as well</source>
+        <translation>顔はこの MRI に合いますが、%1 mm の粗さでしか定まらず、他の人の顔も合うことがあります</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "facenav/pictures/skin_fit_picture.h"
 #include "facenav/prepare/case_pictures.h"
 #include "facenav/registration/fit_limits.h"
+#include "facenav/session/navigation_state.h"
 
 namespace facenav::steps {
 namespace {
@@ -258,8 +259,18 @@ void Attempts::weigh(const Error& undecided, double own_log_odds) {
 std::optional<std::string> Attempts::doubt() const {
   if (best_->outcome.result.rests_on_confirmation) return std::nullopt;  // a person has decided already
   if (mirrored_) return mirrored_->what();
-  const double mean_log_odds = 0.5 * (best_->outcome.result.own_log_odds + least_own_);
-  if (undecided_ && mean_log_odds < leastOwn()) return undecided_->what();
+  const double own_log_odds = best_->outcome.result.own_log_odds;
+  if (undecided_ && 0.5 * (own_log_odds + least_own_) < leastOwn()) return undecided_->what();
+  // Where no coil can be on target, other persons' faces may fit, too: twice the log odds are asked.
+  const double bound_mm = *tries[used_].bound_mm;
+  if (bound_mm > session::kMostErrorBound_mm && own_log_odds < 2 * leastOwn())
+    return registration::PersonUnclear(
+               "not aligned: " +
+                   formatted("the face fits this MRI, but only to %.1f mm, where other persons' "
+                             "faces may fit as well",
+                             bound_mm),
+               registration::kTellPersons)
+        .what();
   return std::nullopt;
 }
 

@@ -185,6 +185,27 @@ TEST_F(AlignRecording, AsksAPersonWhereTheFaceIsTooCoarseAndStoresTheAnswer) {
   EXPECT_TRUE(store_->alignment()->rests_on_confirmation);
 }
 
+TEST_F(AlignRecording, AsksAPersonWhereNoCoilCanBeOnTargetUnlessTheFaceTellsClearly) {
+  recording_.capture = plain();
+  may_be_unsure_ = true;
+  const double coarse_mm = 4.0, fine_mm = 0.3;
+  answers_ = {{coarse_mm}, {10.0}};
+  try {
+    align(recording_);
+    FAIL() << "accepted";
+  } catch (const registration::PersonUnclear& error) {
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("other persons' faces may fit as well; bring the cameras"));
+  }
+  answers_ = {{coarse_mm}, {13.0}};
+  EXPECT_FALSE(align(recording_).outcome.result.rests_on_confirmation);
+  answers_ = {{fine_mm}, {10.0}};
+  EXPECT_FALSE(align(recording_).outcome.result.rests_on_confirmation);
+  is_patient_confirmed_ = true;
+  answers_ = {{coarse_mm}, {10.0}};
+  EXPECT_TRUE(align(recording_).outcome.result.rests_on_confirmation);
+}
+
 TEST_F(AlignRecording, AConfirmationHoldsForTheSamePicturesOnly) {
   recording_.capture = plain();
   may_be_unsure_ = is_patient_confirmed_ = true;
