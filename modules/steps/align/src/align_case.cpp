@@ -259,11 +259,11 @@ void Attempts::weigh(const Error& undecided, double own_log_odds) {
 std::optional<std::string> Attempts::doubt() const {
   if (best_->outcome.result.rests_on_confirmation) return std::nullopt;  // a person has decided already
   if (mirrored_) return mirrored_->what();
-  const double own_log_odds = best_->outcome.result.own_log_odds;
-  if (undecided_ && 0.5 * (own_log_odds + least_own_) < leastOwn()) return undecided_->what();
-  // Where no coil can be on target, other persons' faces may fit, too: twice the log odds are asked.
+  const double mean_log_odds = 0.5 * (best_->outcome.result.own_log_odds + least_own_);
+  if (undecided_ && mean_log_odds < leastOwn()) return undecided_->what();
+  // Where no coil can be on target, other persons' faces, and mirrored ones, fit as well.
   const double bound_mm = *tries[used_].bound_mm;
-  if (bound_mm > session::kMostErrorBound_mm && own_log_odds < 2 * leastOwn())
+  if (bound_mm > session::kMostErrorBound_mm)
     return registration::PersonUnclear(
                "not aligned: " +
                    formatted("the face fits this MRI, but only to %.1f mm, where other persons' "
