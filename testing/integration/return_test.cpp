@@ -189,7 +189,9 @@ TEST_F(ReturnPath, AFaceCaseNeedsNoMriAndRefusesWhatItCannotKnow) {
   EXPECT_THAT(run("export " + in(face) + " --as home -o " + in(file_), 1).errors,
               HasSubstr("not signed off"));
   run("check " + in(face) + " --by AB --acknowledge-findings");
-  run("align " + in(face) + " " + in(later_));
+  EXPECT_THAT(run("align " + in(face) + " " + in(later_), 1).errors,
+              HasSubstr("confirm that this is the person whose face is stored"));
+  run("align " + in(face) + " " + in(later_) + " --patient-confirmed");
   EXPECT_THAT(run("face-case " + in(later_) + " -o " + in(face), 1).errors,
               HasSubstr("exists there already"));
   // Moved cameras: the calibration is older than the knock.
