@@ -135,6 +135,20 @@ TEST(StepWatch, OffsetsThatChangeTheirSignAreChance) {
   }
 }
 
+// Out of step by a fixed delay: the offset follows the head's speed across the lines, and is zero where a
+// swaying head turns back.
+TEST(StepWatch, IsNotSureOfOneGoodAnswerAfterTwoMoments) {
+  StepWatch watch;
+  const auto at = [&](double t_s, double off_px) {
+    return watch.judge(EpipolarOffset{400, off_px, 0.3, 0.18}, 0, Timestamp{t_s});
+  };
+  EXPECT_EQ(at(0.0, -0.51), StepVerdict::out_of_step);
+  EXPECT_EQ(at(0.1, 0.07), StepVerdict::out_of_step) << "together with the answer before";
+  EXPECT_EQ(at(0.2, 0.05), StepVerdict::unsure);
+  EXPECT_EQ(at(0.9, 0.05), StepVerdict::unsure);
+  EXPECT_EQ(at(1.2, 0.05), StepVerdict::in_step);
+}
+
 TEST(Identity, DecidesFromTheOddsAskedAndOnlyWhereSkinIsSeen) {
   Identity identity;
   identity.windows = 200;

@@ -80,11 +80,15 @@ StepVerdict StepWatch::judge(const EpipolarOffset& offset, double allowed_px, Ti
     both.median_px = 0.5 * (offset.median_px + before->median_px);
     both.points = offset.points + before->points;
   }
-  const bool is_out = offset.isOutOfStep(allowed_px);
-  if (is_out && offset.size_px() > limits.step_sure_alone * limitOf(offset, allowed_px))
+  const bool is_out = offset.isOutOfStep(allowed_px),
+             is_sure = is_out && offset.size_px() > limits.step_sure_alone * limitOf(offset, allowed_px);
+  if (is_sure || (before && both.isOutOfStep(allowed_px))) {
+    out_ = captured;
     return StepVerdict::out_of_step;
-  if (before && both.isOutOfStep(allowed_px)) return StepVerdict::out_of_step;
-  return is_out ? StepVerdict::unsure : StepVerdict::in_step;
+  }
+  // The offset of a head that sways passes through zero where it turns back.
+  const bool was_out = out_ && std::abs(captured - *out_) < limits.step_one_fault_s;
+  return is_out || was_out ? StepVerdict::unsure : StepVerdict::in_step;
 }
 
 EpipolarOffset epipolarOffset(const cameras::StereoRig& rig, const std::vector<SkinMatch>& matches) {

@@ -39,7 +39,8 @@ double motionAcrossLines_mm(const cameras::StereoRig& rig, const Eigen::Vector3d
 enum class StepVerdict { in_step, unsure, out_of_step };
 
 /// StepWatch: judges each answer's offset together with the one before, since compressed images shift a
-/// single answer by some tenths of a pixel. An offset of twice the limit is judged alone.
+/// single answer by some tenths of a pixel. An offset of twice the limit is judged alone. Within a second
+/// after two moments no answer is sure.
 class StepWatch {
  public:
   StepVerdict judge(const EpipolarOffset& offset, double allowed_px, Timestamp captured);
@@ -47,6 +48,7 @@ class StepWatch {
  private:
   std::optional<EpipolarOffset> before_;
   Timestamp captured_;
+  std::optional<Timestamp> out_;  // the last pair of two moments
 };
 
 /// Offset of the matches of a pose's last search (RecoveryPose::matches).
