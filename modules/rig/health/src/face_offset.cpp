@@ -9,20 +9,20 @@
 namespace facenav::health {
 namespace {
 
-/// The match in the middle, by depth.
-struct Middle {
+struct Seen {
   Correspondence match;
-  double depth_mm = 0;
+  double off_px = 0, depth_mm = 0;
 };
 
-Middle middleOf(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
-  std::vector<Middle> all;
-  for (const auto& match : matches)
-    all.push_back({match, cameras::triangulate(rig, match.left_px, match.right_px).mm.z()});
-  const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end(),
-                   [](const Middle& a, const Middle& b) { return a.depth_mm < b.depth_mm; });
-  return *middle;
+/// The matches that lie in front of the cameras.
+std::vector<Seen> inFront(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
+  std::vector<Seen> seen;
+  for (const auto& match : matches) {
+    const double off_px = cameras::epipolarResidual_px(rig, match.left_px, match.right_px);
+    if (std::isfinite(off_px))
+      seen.push_back({match, off_px, cameras::triangulate(rig, match.left_px, match.right_px).mm.z()});
+  }
+  return seen;
 }
 
 }  // namespace
@@ -30,24 +30,24 @@ Middle middleOf(const cameras::StereoRig& rig, const std::vector<Correspondence>
 bool FaceOffset::isSignificant() const { return std::abs(median_px) > kSignificant * sigma_px; }
 
 FaceOffset faceOffset(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches) {
+  auto seen = inFront(rig, matches);
+  if (seen.empty()) return {};
+  const auto middle = seen.begin() + std::ptrdiff_t(seen.size() / 2);
+  std::nth_element(seen.begin(), middle, seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.depth_mm < b.depth_mm; });
   std::vector<double> off_px;
-  for (const auto& match : matches) {
-    const double residual_px = cameras::epipolarResidual_px(rig, match.left_px, match.right_px);
-    if (std::isfinite(residual_px)) off_px.push_back(residual_px);
-  }
+  for (const auto& one : seen) off_px.push_back(one.off_px);
   FaceOffset offset;
-  if (off_px.empty()) return offset;
-  const Middle middle = middleOf(rig, matches);
   offset.median_px = upperMedian(off_px);
-  offset.depth_mm = middle.depth_mm;
+  offset.depth_mm = middle->depth_mm;
   const double spread_px = kSigmaPerMad * medianAbsoluteDeviation(off_px, offset.median_px);
   const auto uncertainty = cameras::uncertaintyOf(rig);
   double variance = std::pow(kMedianNoise * spread_px, 2) / double(off_px.size()) +
                     std::pow(kSharedShare * spread_px, 2) + std::pow(uncertainty.lens_px, 2);
-  const double nominal_px = cameras::epipolarResidual_px(rig, middle.match.left_px, middle.match.right_px);
+  const Correspondence& there = middle->match;
   for (const auto& other : uncertainty.one_sigma)
-    variance += std::pow(
-        cameras::epipolarResidual_px(other, middle.match.left_px, middle.match.right_px) - nominal_px, 2);
+    variance +=
+        std::pow(cameras::epipolarResidual_px(other, there.left_px, there.right_px) - middle->off_px, 2);
   offset.sigma_px = std::sqrt(variance);
   return offset;
 }

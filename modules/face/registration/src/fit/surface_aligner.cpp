@@ -88,8 +88,8 @@ class SurfaceAligner : public Aligner {
       // The guess was poor: search around it.
     }
     // Hints may mislead and the first search is quick, so a refusal leads to a wider search. The error of the
-    // first search is thrown: it refers to the best pose, while wider searches end in worse poses. Unless a
-    // person can decide about the pose of a wider one.
+    // first search is thrown: it refers to the best pose, while wider searches end in worse poses. But where
+    // a person can decide about a pose, the question is thrown.
     std::exception_ptr reason, undecided;
     for (const auto& [width, most] :
          {std::pair{SearchWidth::near, 6}, {SearchWidth::any, 6}, {SearchWidth::thorough, 10}})

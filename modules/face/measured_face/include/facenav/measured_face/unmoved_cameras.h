@@ -8,9 +8,10 @@
 
 namespace facenav::measured_face {
 
-/// Matches points of the face again in the pictures it was `measured` on, and throws health::RigError if they
-/// show that the cameras moved. `plain`: the same face without dots. `landmarks`: of the plain picture; where
-/// it shows a face, only that part of it counts, because walls and clothes match in wrong places.
+/// Matches points of the face again in the pictures it was `measured` on. Throws health::RigError if they
+/// show that the cameras moved, that the pictures are of two moments, or that the face's depth is likely
+/// wrong by either cause. `plain`: the same face without dots. `landmarks`: of the plain picture; where it
+/// shows a face, only that part of it counts, because walls and clothes match in wrong places.
 void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoFrame& measured,
                            const cameras::StereoFrame& plain, const stereo::FaceCloud& face,
                            const FaceInSpace& landmarks);

@@ -18,6 +18,7 @@ struct FaceOffset {
   bool isSignificant() const;
 };
 
+/// Offset of the face's matches. Matches behind the cameras do not count; without any, all values are 0.
 FaceOffset faceOffset(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches);
 
 /// Offset across the lines (px, right camera) of a motion that changes the depth by `error_mm` if it goes as
