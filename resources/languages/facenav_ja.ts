@@ -11337,6 +11337,10 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <translation>位置合わせできません: 顔はこの MRI に合いますが、計測が粗すぎて、この人と他の人を区別できません%1</translation>
     </message>
     <message>
+        <source>bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date of birth, and confirm that this is the patient&apos;s own MRI</source>
+        <translation>カメラを近づけ、ドットを投影し、髪や手が顔にかからないようにしてください。または氏名と生年月日を確かめ、患者本人の MRI であることを確認してください</translation>
+    </message>
+    <message>
         <source>the face was measured too coarsely to tell this person from others: a person confirmed that this is the patient&apos;s own MRI</source>
         <translation>顔の計測が粗すぎて、この人と他の人を区別できませんでした: 患者本人の MRI であることを人が確認しました</translation>
     </message>

@@ -269,7 +269,9 @@ std::optional<std::string> Attempts::doubt() const {
                    formatted("the face fits this MRI, but only to %.1f mm, where other persons' "
                              "faces may fit as well",
                              bound_mm),
-               registration::kTellPersons)
+               "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name "
+               "and date "
+               "of birth, and confirm that this is the patient's own MRI")
         .what();
   return std::nullopt;
 }
@@ -285,7 +287,10 @@ Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recordin
     if (words) {
       auto& result = best_->outcome.result;
       result.rests_on_confirmation = true;
-      result.cautions.push_back(inWordsOf(store, words->substr(std::string("not aligned: ").size())));
+      result.cautions.push_back(
+          inWordsOf(store,
+                    "the face was measured too coarsely to tell this person from others: a person confirmed "
+                    "that this is the patient's own MRI"));
     }
     return std::move(*best_);
   }

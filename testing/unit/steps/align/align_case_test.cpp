@@ -201,7 +201,10 @@ TEST_F(AlignRecording, AsksAPersonWhereNoCoilCanBeOnTarget) {
   EXPECT_FALSE(align(recording_).outcome.result.rests_on_confirmation);
   is_patient_confirmed_ = true;
   answers_ = {{coarse_mm}, {10.0}};
-  EXPECT_TRUE(align(recording_).outcome.result.rests_on_confirmation);
+  const auto result = align(recording_).outcome.result;
+  EXPECT_TRUE(result.rests_on_confirmation);
+  EXPECT_THAT(result.cautions,
+              ::testing::Contains(HasSubstr("a person confirmed that this is the patient's own MRI")));
 }
 
 TEST_F(AlignRecording, AConfirmationHoldsForTheSamePicturesOnly) {

@@ -248,7 +248,9 @@ std::string measuredAs(const Closeness& closeness) {
   throw PersonUnclear(
       "not aligned: the face fits this MRI, but was measured too coarsely to tell this person from others" +
           measuredAs(evidence.closeness),
-      kTellPersons, evidence.own_log_odds);
+      "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date "
+      "of birth, and confirm that this is the patient's own MRI",
+      evidence.own_log_odds);
 }
 
 [[noreturn]] void refuseTurn(const CameraTurn& turn) {

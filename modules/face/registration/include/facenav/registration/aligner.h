@@ -154,11 +154,6 @@ class PersonUnclear : public Error {
   double own_log_odds;  // of this person's scan against another's
 };
 
-/// Advice where a face is too coarse to tell persons apart.
-inline constexpr const char* kTellPersons =
-    "bring the cameras nearer, project dots, and keep hair and hands off the face; or check name and date of "
-    "birth, and confirm that this is the patient's own MRI";
-
 class Aligner {
  public:
   virtual ~Aligner() = default;
