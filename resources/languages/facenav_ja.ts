@@ -11353,16 +11353,16 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <translation>患者本人の MRI か確認してください。本人のものなら、カメラを近づけ、ドットを投影し、髪と手を顔からどけてください</translation>
     </message>
     <message>
-        <source>not aligned: the pictures do not fit the calibration (%1 px across the epipolar lines): a camera has moved since, or they were taken at two moments</source>
-        <translation>位置合わせできません: 画像が較正と合いません (エピポーラ線に直交して %1 px): 較正後にカメラが動いたか、二つの画像が別の時点のものです</translation>
-    </message>
-    <message>
         <source>trigger both cameras together; if they are, calibrate again</source>
         <translation>両方のカメラを同時にトリガーしてください。すでにそうしている場合は、較正し直してください</translation>
     </message>
     <message>
         <source>not aligned: the face fits this MRI, but only to %1 mm, where other persons&apos; faces may fit as well</source>
         <translation>顔はこの MRI に合いますが、%1 mm の粗さでしか定まらず、他の人の顔も合うことがあります</translation>
+    </message>
+    <message>
+        <source>the pictures do not fit the calibration (%1 px across the epipolar lines): a camera has moved since, or they were taken at two moments</source>
+        <translation>画像が較正と合いません (エピポーラ線に直交して %1 px): 較正後にカメラが動いたか、二つの画像が別の時点のものです</translation>
     </message>
 </context>
 <context>

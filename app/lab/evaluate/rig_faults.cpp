@@ -112,6 +112,8 @@ std::string wordOf(RigState fault) {
       return "moved";
     case RigState::other_cameras:
       return "other rig";
+    case RigState::disagree:
+      return "moved or out of step";
     case RigState::unclear:
     case RigState::away:
       break;

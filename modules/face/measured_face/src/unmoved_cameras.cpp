@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "facenav/core/number_text.h"
 #include "facenav/health/face_offset.h"
 #include "facenav/health/pair_diagnosis.h"
 #include "facenav/health/rig_error.h"
@@ -33,15 +32,12 @@ void requireUnmovedCameras(const cameras::StereoRig& rig, const cameras::StereoF
   const auto offset = health::faceOffset(rig, matches);
   if (!estimate.hasMoved() && !offset.isSignificant()) return;
   const auto diagnosis = health::diagnosePair(rig, plain, face_px);
-  if (diagnosis.isFault()) throw health::RigError(diagnosis, "not aligned: ");
+  if (diagnosis.isFault()) throw health::RigError(diagnosis.verdict(), "not aligned: ");
   const bool is_wrong = meansWrongDepth(rig, offset);
   if (is_wrong || (estimate.hasMoved() && diagnosis.state != health::RigState::holds))
     throw health::RigError(
-        "not aligned: " +
-            formatted("the pictures do not fit the calibration (%.2f px across the epipolar lines): "
-                      "a camera has moved since, or they were taken at two moments",
-                      is_wrong ? std::abs(offset.median_px) : estimate.epipolar_px),
-        {}, "trigger both cameras together; if they are, calibrate again");
+        health::camerasDisagree(is_wrong ? std::abs(offset.median_px) : estimate.epipolar_px),
+        "not aligned: ");
 }
 
 }  // namespace facenav::measured_face

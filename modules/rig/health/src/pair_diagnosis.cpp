@@ -162,6 +162,17 @@ PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
   return diagnosis;
 }
 
+PairDiagnosis withRoom(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
+                       const std::vector<Correspondence>& face, const std::vector<Correspondence>& room) {
+  if (!diagnosis.isOfCameras()) return diagnosis;
+  const OffsetCause cause = likelierCause(rig, face, room);
+  if (cause == OffsetCause::two_exposures)
+    diagnosis.state = RigState::out_of_step;
+  else if (cause == OffsetCause::unknown && diagnosis.state == RigState::moved)
+    diagnosis.state = RigState::disagree;
+  return diagnosis;
+}
+
 /// Both causes are one motion of the same size: of the right camera against face and room, or of the face
 /// alone while the room fits the calibration. So their costs compare as they are.
 OffsetCause likelierCause(const cameras::StereoRig& rig, const std::vector<Correspondence>& face,
@@ -198,10 +209,7 @@ PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoF
     if (diagnosis.state == RigState::moved && isWithinCalibration(rig, matches))
       diagnosis.state = RigState::holds;
   }
-  if (!face_px.empty() && diagnosis.isOfCameras() &&
-      likelierCause(rig, matches, inRoom(face_px, all)) == OffsetCause::two_exposures)
-    diagnosis.state = RigState::out_of_step;
-  return diagnosis;
+  return face_px.empty() ? diagnosis : withRoom(rig, diagnosis, matches, inRoom(face_px, all));
 }
 
 OffsetCause causeOfOffset(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,

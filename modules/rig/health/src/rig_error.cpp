@@ -2,8 +2,8 @@
 
 namespace facenav::health {
 
-RigError::RigError(const PairDiagnosis& diagnosis, const std::string& before)
-    : Error(before + diagnosis.verdict().finding, {}, diagnosis.verdict().advice) {}
+RigError::RigError(const RigVerdict& verdict, const std::string& before)
+    : Error(before + verdict.finding, {}, verdict.advice) {}
 
 void withRigError(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                   const std::function<void()>& task) {
@@ -15,7 +15,7 @@ void withRigError(const cameras::StereoRig& rig, const cameras::StereoFrame& fra
     throw;
   } catch (const Error&) {
     const auto diagnosis = diagnosePair(rig, frame);
-    if (diagnosis.isFault()) throw RigError(diagnosis);
+    if (diagnosis.isFault()) throw RigError(diagnosis.verdict());
     throw;
   }
 }

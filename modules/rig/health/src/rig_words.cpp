@@ -29,6 +29,8 @@ std::string toString(RigState state) {
       return "swapped";
     case RigState::out_of_step:
       return "out_of_step";
+    case RigState::disagree:
+      return "cameras_disagree";
     case RigState::away:
       return "away";
     case RigState::unclear:
@@ -39,7 +41,7 @@ std::string toString(RigState state) {
 
 RigState rigStateNamed(const std::string& word) {
   for (const auto state : {RigState::holds, RigState::moved, RigState::other_cameras, RigState::swapped,
-                           RigState::out_of_step, RigState::away})
+                           RigState::out_of_step, RigState::disagree, RigState::away})
     if (word == toString(state)) return state;
   return RigState::unclear;
 }
@@ -63,9 +65,19 @@ RigVerdict PairDiagnosis::verdict() const {
     case RigState::other_cameras:
       return {state, "the calibration does not belong to these cameras",
               "give the right stereo.yml, or calibrate"};
+    case RigState::disagree:
+      return camerasDisagree(residual_px);
     default:
       return {state, {}, {}};
   }
+}
+
+RigVerdict camerasDisagree(double off_px) {
+  return {RigState::disagree,
+          formatted("the pictures do not fit the calibration (%.2f px across the epipolar lines): "
+                    "a camera has moved since, or they were taken at two moments",
+                    off_px),
+          "trigger both cameras together; if they are, calibrate again"};
 }
 
 RigVerdict RigEstimate::verdict() const {

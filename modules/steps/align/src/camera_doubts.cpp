@@ -42,7 +42,7 @@ std::string wordsOf(const std::exception_ptr& failure) {
       health::diagnosePair(rig, capture.plain, face ? face::outlineOf(*face) : std::vector<cv::Point>());
   // Stripes and wallpaper match in wrong places too, as if they were of two moments: only the face explains.
   const bool is_told = diagnosis.is_of_face || diagnosis.state != health::RigState::out_of_step;
-  if (diagnosis.isFault() && is_told) throw health::RigError(diagnosis, "not aligned: ");
+  if (diagnosis.isFault() && is_told) throw health::RigError(diagnosis.verdict(), "not aligned: ");
   if (from != measured_face::AlignedFrom::dots || measured_face::showsDots(capture) ||
       (face && measured_face::showsDots(capture, face->face))) {
     if (is_measured) std::rethrow_exception(failure);

@@ -14,6 +14,8 @@ std::string bannerOf(health::RigState state) {
       return "OTHER CAMERAS' CALIBRATION: give the right stereo.yml, or calibrate";
     case health::RigState::moved:
       return "CAMERAS MOVED: calibrate them again";
+    case health::RigState::disagree:
+      return "CAMERAS DISAGREE: one has moved, or they expose at different moments";
     case health::RigState::away:
       return "CAMERA AWAY: plug it in again, the session goes on by itself";
     case health::RigState::unclear:

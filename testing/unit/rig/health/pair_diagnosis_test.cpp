@@ -1,5 +1,6 @@
 #include "facenav/health/pair_diagnosis.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -17,6 +18,8 @@ namespace facenav::health {
 
 using namespace cameras;
 namespace {
+
+using ::testing::HasSubstr;
 
 using Matches = std::vector<Correspondence>;
 
@@ -211,6 +214,20 @@ TEST(OffsetCause, IsUnknownWithoutARoomAndWithWallpaperThatMatchesAnywhere) {
   for (std::size_t i = 0; i < wallpaper.size(); ++i)
     wallpaper[i].right_px.y() += 12.0 * double(int(i % 5) - 2);
   EXPECT_NE(likelierCause(calibrated, faceOf(seen(rig)), wallpaper), OffsetCause::two_exposures);
+}
+
+TEST(PairDiagnosis, NamesAMovedCameraOnlyWhereTheRoomSaysSo) {
+  const auto rig = testing::convergingRig(), turned = turnedRig(rig, {0.3, 0, 0}, {0, 0, 0});
+  const auto face = faceOf(seen(rig));
+  const auto of_face = diagnoseMatches(turned, face);
+  ASSERT_EQ(of_face.state, RigState::moved);
+  EXPECT_EQ(withRoom(turned, of_face, face, seenRoom(rig)).state, RigState::moved);
+  EXPECT_EQ(withRoom(turned, of_face, face, seenRoom(turned)).state, RigState::out_of_step);
+  const auto alone = withRoom(turned, of_face, face, {});
+  EXPECT_EQ(alone.state, RigState::disagree);
+  EXPECT_TRUE(alone.isFault());
+  EXPECT_THAT(alone.verdict().words(),
+              HasSubstr("a camera has moved since, or they were taken at two moments"));
 }
 
 /// A real person before real cameras, with exact rigs.

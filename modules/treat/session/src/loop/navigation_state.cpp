@@ -30,7 +30,7 @@ std::string detailWords(LossDetail detail) {
     case LossDetail::cameras_moved:
       return monitoring::bannerOf(health::RigState::moved);
     case LossDetail::cameras_disagree:
-      return "CAMERAS DISAGREE: one has moved, or they expose at different moments";
+      return monitoring::bannerOf(health::RigState::disagree);
     case LossDetail::other_face:
       return "ANOTHER PERSON: only the patient's face is followed";
     case LossDetail::doubtful:

@@ -6,9 +6,9 @@
 // fits all).
 //
 // Corners of eyes and brows move with the skull, and may fit a moved camera by themselves. If they do,
-// matches are grown over the skin, which moves relative to the skull when the face does. Limit: a head that
-// moved as one rigid piece, with an unchanged expression, looks like a moved camera. One frame cannot tell
-// these two apart, so the advice for a moved camera mentions both.
+// matches are grown over the skin, which moves relative to the skull when the face does. A head that moved
+// as one rigid piece, with an unchanged expression, looks like a moved camera. Then only the room behind it
+// tells the two apart. Where it shows too little, the finding names both (RigState::disagree).
 
 #include <optional>
 #include <string>
@@ -42,18 +42,28 @@ struct PairDiagnosis {
   RigVerdict verdict() const;
 };
 
+/// Finding where one camera moved, or the pictures are of two moments, and nothing tells which. `off_px`:
+/// distance of the matches from their epipolar lines.
+RigVerdict camerasDisagree(double off_px);
+
 /// Diagnoses matches of one pair; sigma_px of each is across the epipolar line.
 PairDiagnosis diagnoseMatches(const cameras::StereoRig& rig, const std::vector<Correspondence>& matches);
 /// Tests a diagnosis of moved cameras or of another rig on the skin: confirms it, or finds pictures of two
 /// moments. `skin`: matches grown over the face (growMatches). Any other diagnosis is returned unchanged.
 PairDiagnosis withSkin(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
                        const std::vector<Correspondence>& skin);
+/// Tests a diagnosis of moved cameras or of another rig of the face's matches on those of the room behind it
+/// (likelierCause): the room confirms it, or says that the head moved alone, or shows too little. Then moved
+/// cameras are no more than a guess, and the state is `disagree`.
+PairDiagnosis withRoom(const cameras::StereoRig& rig, PairDiagnosis diagnosis,
+                       const std::vector<Correspondence>& face, const std::vector<Correspondence>& room);
 /// Diagnoses a pair of pictures, including the skin. Takes half a second, or a second if the rig does not
 /// fit. `face_px`: outline of the face in the left picture; empty: unknown, then the whole picture counts.
 /// Give it where it is known: clothes and wallpaper repeat and match in wrong places, and lie where no board
 /// was shown and the lens model is a guess. If too little of the face matches, the rest can tell exchanged
 /// pictures and two moments only. `moved` is said only where the calibration's own errors do not explain the
-/// matches (RigMonitor), and the room does not say that the head moved alone (likelierCause).
+/// matches (RigMonitor), and the room says that the camera moved (likelierCause); without `face_px` the room
+/// is among the matches.
 PairDiagnosis diagnosePair(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
                            const std::vector<cv::Point>& face_px = {});
 

@@ -16,7 +16,7 @@ class RigError : public Error {
  public:
   using Error::Error;
   /// `before`: text in front of the finding ("not aligned: ").
-  explicit RigError(const PairDiagnosis& diagnosis, const std::string& before = {});
+  explicit RigError(const RigVerdict& verdict, const std::string& before = {});
 };
 
 /// Runs `task`. If it throws an Error and the images of `frame` do not fit the rig, throws a RigError

@@ -14,11 +14,12 @@ enum class RigState {
   other_cameras,  // the calibration is not of these cameras, or a focus or zoom was changed
   swapped,        // left and right are exchanged
   out_of_step,    // the two pictures are of different moments
+  disagree,       // moved or out_of_step: nothing tells which
   away,           // a camera is unplugged or silent
 };
 
 /// Word of a state, as in rig.json and in `facenav rig check --json`: "holds", "moved", "other_cameras",
-/// "swapped", "unclear", "out_of_step", "away".
+/// "swapped", "unclear", "out_of_step", "cameras_disagree", "away".
 std::string toString(RigState state);
 /// State of a word; unclear for an unknown word.
 RigState rigStateNamed(const std::string& word);
