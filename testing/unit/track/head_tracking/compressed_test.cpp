@@ -144,6 +144,25 @@ TEST_F(CompressedFace, OnSidesOfTwoMomentsIsNeverShown) {
   }
 }
 
+TEST_F(CompressedFace, ThatIsGoneAfterTwoMomentsIsSaidToBeGone) {
+  const auto tracker = started();
+  SyntheticView lower = later(0, 0.0);
+  lower.motion.pretranslate(Eigen::Vector3d(0, 5, 0));
+  auto frame = compressed(face_->render(rig_, later(0, 0.0)));
+  frame.right = compressed(face_->render(rig_, lower)).right;
+  const std::string first = wordOf(tracker->track(frame));
+  ASSERT_TRUE(first == "cameras_disagree" || first == "out_of_step") << first;
+  std::string word;
+  for (int i = 1; i < 4; ++i) {
+    SyntheticView gone = later(i, 0.0);
+    gone.motion.pretranslate(Eigen::Vector3d(3000, 0, 0));
+    const auto answer = tracker->track(compressed(face_->render(rig_, gone)));
+    EXPECT_FALSE(answer.isTracked());
+    word = wordOf(answer);
+  }
+  EXPECT_EQ(word, "not_found");
+}
+
 /// Cameras without a trigger see a moving head at two places, which must not end the track permanently.
 TEST_F(CompressedFace, WhoComesBackMovingBeforeUntriggeredCamerasIsFound) {
   const auto tracker = started();

@@ -124,7 +124,7 @@ class ModelHeadTracker : public HeadTracker {
   }
 
   void askBeside(const cameras::StereoFrame& frame) {
-    lost_face_->ask(frame, patches_.lastPose());
+    lost_face_->ask(frame, patches_.motion());
     beside_ms_ = lost_face_->takeBeside_ms();
   }
 
@@ -186,7 +186,7 @@ class ModelHeadTracker : public HeadTracker {
     if (!check_.isDue(frame.captured, patches_.motion().speedBehind_mm_s(anatomy::kFaceToCortex_mm))) return;
     if (lost_face_->isBusy()) lost_face_->drop(frame.captured);  // started before a return
     if (lost_face_->isBusy()) return;
-    lost_face_->ask(frame, patches_.motion().pose());
+    lost_face_->ask(frame, patches_.motion());
     beside_ms_ = lost_face_->takeBeside_ms();
     check_.asked(frame.captured);
   }

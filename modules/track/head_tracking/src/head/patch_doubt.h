@@ -19,9 +19,10 @@ class PatchDoubt {
     LossDetail detail;
   };
   static constexpr Fault kOtherFace = {LostReason::no_face, LossDetail::other_face};
+  static constexpr Fault kGone = {LostReason::no_face, LossDetail::not_found};
   static constexpr Fault kReturn = {LostReason::no_face, LossDetail::doubtful};  // no evidence against it
 
-  void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now; }
+  void start(const Fault& fault, Timestamp now) { fault_ = fault, since_ = now, is_face_gone_ = false; }
   void clear() { fault_.reset(), other_seen_.reset(); }
 
   /// The fault of an answer that is out of step.
@@ -38,14 +39,16 @@ class PatchDoubt {
   }
 
   /// The present fault. It ends after some seconds without an answer; the patches' own identity check
-  /// continues.
+  /// continues. Where a later answer saw no face, that is what the words say.
   std::optional<Fault> at(Timestamp now) {
     if (fault_ && std::abs(now - since_) > kLongest_s) fault_.reset();
+    if (fault_ && is_face_gone_ && fault_->reason == LostReason::camera) return kGone;
     return fault_;
   }
 
   void hear(const LostFace::Found& answer, Timestamp now) {
     if (answer.is_other) other_seen_ = now, since_ = now;
+    is_face_gone_ = !answer.is_out_of_step && !answer.face.identity.isLikelyPatient();
     if (!fault_ || answer.is_out_of_step) return;
     const bool is_of_return = fault_->detail == kReturn.detail;
     const bool says_nothing = !answer.face.identity.isAnswered();
@@ -58,6 +61,7 @@ class PatchDoubt {
  private:
   static constexpr double kLongest_s = 5.0;
   std::optional<Fault> fault_;
+  bool is_face_gone_ = false;
   Timestamp since_;
   std::optional<Timestamp> other_seen_;
 };

@@ -23,12 +23,13 @@ double sigmaOfLogit(double of_people, double mean_logit, double independent_wind
 
 bool Identity::isAnswered() const { return windows > 0; }
 
+double Identity::logOdds() const { return log_likelihood_ratio + settingsOf<IdentityModel>().identity_prior; }
+
 Identity::Verdict Identity::verdict() const {
   if (!isAnswered()) return Verdict::undecided;
-  const auto& model = settingsOf<IdentityModel>();
-  const double log_odds = log_likelihood_ratio + model.identity_prior;
-  if (log_odds > model.identity_sure) return Verdict::patient;
-  return log_odds < -model.identity_sure ? Verdict::other : Verdict::undecided;
+  const double sure = settingsOf<IdentityModel>().identity_sure;
+  if (logOdds() > sure) return Verdict::patient;
+  return logOdds() < -sure ? Verdict::other : Verdict::undecided;
 }
 
 Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, const SkinView& then,

@@ -25,6 +25,11 @@ struct Identity {
   Verdict verdict() const;
   /// True if windows are in view, so that the skin says something.
   bool isAnswered() const;
+  /// True if the face is rather the patient's than not; that does not suffice to show its pose.
+  bool isLikelyPatient() const { return isAnswered() && logOdds() > 0; }
+
+ private:
+  double logOdds() const;
 };
 
 /// Identity at a pose from fitRecoveryPose. `shape`: if it was measured.

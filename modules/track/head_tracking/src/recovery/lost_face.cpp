@@ -131,6 +131,7 @@ void LostFace::explainOffset(Found& found) {
 // motion is known from the second answer on.
 double LostFace::allowed_px(const Found& found) {
   const auto before = std::exchange(before_, Before{found.camera_T_head, found.captured});
+  if (found.face.identity.isLikelyPatient()) seen_ = before_;
   if (!before) return 0.0;
   const double since_s = std::abs(found.captured - before->captured);
   if (since_s < 1e-3 || since_s > kOneMotion_s) return 0.0;
@@ -141,13 +142,21 @@ double LostFace::allowed_px(const Found& found) {
   return moved_mm / since_s * learnt_.late->mostLate_s() * px_per_mm;
 }
 
-void LostFace::ask(const cameras::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last) {
+/// Start of the next search: the last answer that found the face, if it is newer than the tracked pose. A
+/// head that moves on while it is not sure enough to be shown stays in reach.
+std::optional<Eigen::Isometry3d> LostFace::startAfter(const HeadMotion& last) const {
+  if (seen_ && (!last.isKnown() || seen_->captured.s > last.captured().s)) return seen_->camera_T_head;
+  return last.isKnown() ? std::optional(last.pose()) : std::nullopt;
+}
+
+void LostFace::ask(const cameras::StereoFrame& frame, const HeadMotion& last) {
   if (answers_.isBusy()) return;
   const double before_ms = processorTime_ms();
   auto question = std::make_shared<Question>();
   question->frame = frame;
   question->frame.left = frame.left.clone(), question->frame.right = frame.right.clone();
-  question->last = last, question->is_thorough = asked_++ % kThoroughEvery == 0, question->epoch = epoch_;
+  question->last = startAfter(last), question->is_thorough = asked_++ % kThoroughEvery == 0,
+  question->epoch = epoch_;
   question->is_diagnosed = !diagnosed_ || std::abs(frame.captured - *diagnosed_) > kDiagnosedFor_s;
   question->rig = *learnt_.rig;
   recovery_->moveRight(learnt_.rig->right_T_left);

@@ -9,6 +9,7 @@
 #include "facenav/core/later_answer.h"
 #include "facenav/head_tracking/head_tracker.h"
 #include "facenav/health/pair_diagnosis.h"
+#include "head/head_motion.h"
 #include "head/key_frames.h"
 #include "head/late_camera.h"
 #include "head/skin_detail.h"
@@ -49,9 +50,9 @@ class LostFace {
   /// Discards an answer that has arrived.
   void drop(Timestamp now) { answers_.take(now.s); }
   bool isBusy() const { return answers_.isBusy(); }
-  /// Starts a search in a frame whose face is lost or to be checked. `last`: the head's last known pose. Does
+  /// Starts a search in a frame whose face is lost or to be checked. `last`: the head's last motion. Does
   /// nothing while an answer is pending.
-  void ask(const cameras::StereoFrame& frame, const std::optional<Eigen::Isometry3d>& last);
+  void ask(const cameras::StereoFrame& frame, const HeadMotion& last);
   /// True if the images keep the skin's fine detail, so that patches alone decide the identity.
   bool picturesKeepDetail() const;
   /// Keeps the tracked face as a key frame if it looks new.
@@ -78,6 +79,7 @@ class LostFace {
     Eigen::Isometry3d camera_T_head;
     Timestamp captured;
   };
+  std::optional<Eigen::Isometry3d> startAfter(const HeadMotion& last) const;
   double allowed_px(const Found& found);
   static Found answer(const FaceRecovery& recovery, const Learnt& learnt, const Question& question);
   void explainOffset(Found& found);
@@ -87,6 +89,7 @@ class LostFace {
   std::shared_ptr<FaceRecovery> recovery_;
   Learnt learnt_;
   std::optional<Before> before_;  // pose and time of the last answer
+  std::optional<Before> seen_;  // of the last that is likely the patient, if perhaps not sure enough to show
   StepWatch step_;
   health::OffsetCause cause_ = health::OffsetCause::unknown;  // by the last diagnosis
   std::optional<Timestamp> diagnosed_;  // capture time of the pair that was diagnosed last
