@@ -1,7 +1,5 @@
 #include "registrations.h"
 
-#include "facenav/face/landmark_model.h"
-
 namespace facenav::app {
 
 namespace {
@@ -37,13 +35,8 @@ steps::Registrations makeRegistrations() {
                            segmentation::makePriorSegmenter);
   all.aligners.add("surface", "robust point-to-plane on the skin's distance field",
                    registration::makeSurfaceAligner);
-  all.aligners.add("icp", "the 2010 paper's iterative closest point", registration::makeIcpAligner);
   all.head_trackers.add("model", "skin patches fitted in both images at once",
                         [face = all.face_detector] { return head_tracking::makeModelHeadTracker(face()); });
-  all.head_trackers.add("features7", "the 2010 paper's seven features", [] {
-    return head_tracking::makeFeatureHeadTracker(
-        face::makeCascadeDetector(std::make_shared<face::LandmarkModel>()));
-  });
   all.coil_trackers.add("marker", "printed square markers", coil_tracking::makeMarkerCoilTracker);
   addExporters(all.exporters);
   all.cameras.add("v4l2", "USB and other Video4Linux cameras", [] { return capture::makeV4l2Backend(); });

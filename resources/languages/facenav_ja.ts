@@ -2433,22 +2433,6 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <translation>要素のない XML です</translation>
     </message>
     <message>
-        <source>the face cascade haarcascade_frontalface_alt2.xml is not installed</source>
-        <translation>顔検出器 haarcascade_frontalface_alt2.xml がインストールされていません</translation>
-    </message>
-    <message>
-        <source>install the package opencv-data</source>
-        <translation>パッケージ opencv-data をインストールしてください</translation>
-    </message>
-    <message>
-        <source>the face cascade cannot be read</source>
-        <translation>顔検出器を読み込めません</translation>
-    </message>
-    <message>
-        <source>reinstall the package opencv-data</source>
-        <translation>パッケージ opencv-data を再インストールしてください</translation>
-    </message>
-    <message>
         <source>the face landmark model cannot be read</source>
         <translation>顔の特徴点モデルを読み込めません</translation>
     </message>
@@ -2627,10 +2611,6 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
     <message>
         <source>fitting the face</source>
         <translation>顔を合わせる</translation>
-    </message>
-    <message>
-        <source>iterating closest points</source>
-        <translation>最近傍点の反復</translation>
     </message>
     <message>
         <source>searching the head</source>
@@ -10283,22 +10263,6 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
     <message>
         <source>look for blur, darkness or a covered face</source>
         <translation>ぶれ、暗さ、顔の覆いがないか確認してください</translation>
-    </message>
-    <message>
-        <source>the head tracker &apos;features7&apos; needs the face landmark model</source>
-        <translation>頭部追跡 &apos;features7&apos; には顔の特徴点モデルが必要です</translation>
-    </message>
-    <message>
-        <source>install the package libdlib-data</source>
-        <translation>パッケージ libdlib-data をインストールしてください</translation>
-    </message>
-    <message>
-        <source>only %1 of the 7 face features are found in both images of the reference frame</source>
-        <translation>基準フレームの両方の画像で見つかった顔の特徴は 7 個中 %1 個だけです</translation>
-    </message>
-    <message>
-        <source>take the reference frame with the whole face in view of both cameras</source>
-        <translation>顔全体が両方のカメラに写る基準フレームを撮影してください</translation>
     </message>
     <message>
         <source>the host &apos;%1&apos; is not known</source>

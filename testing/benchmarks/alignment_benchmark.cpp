@@ -16,6 +16,7 @@
 #include "facenav/anatomy/nose.h"
 #include "facenav/core/error.h"
 #include "facenav/geometry/pose_error.h"
+#include "facenav/peers/icp_aligner.h"
 #include "facenav/registration/aligner.h"
 #include "fit/robust_fit.h"
 #include "support/model_head.h"
@@ -146,7 +147,7 @@ class AlignmentBenchmark {
       };
       note(fit, trial, target_, [&] { return fitOnly(trial, start); });
       note(whole, trial, target_, [&] { return aligned(*registration::makeSurfaceAligner()); });
-      note(paper, trial, target_, [&] { return aligned(*registration::makeIcpAligner()); });
+      note(paper, trial, target_, [&] { return aligned(*peers::makeIcpAligner()); });
       const auto face = toPcl(trial.face.points_mm, {});
       pcl::NormalEstimation<pcl::PointNormal, pcl::PointNormal> normals;
       const auto with_normals = toPcl(trial.face.points_mm, {});

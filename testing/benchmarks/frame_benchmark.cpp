@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facenav/core/parallel_for.h"
+#include "facenav/peers/feature_head_tracker.h"
 #include "facenav/volume/nifti.h"
 #include "support/room_film.h"
 #include "support/stopwatch.h"
@@ -139,7 +140,7 @@ int main() {
       "median, ms | p99 |\n|---|---|---|---|---|---|\n",
       kFrames);
   const auto model = head_tracking::makeModelHeadTracker(detector),
-             features = head_tracking::makeFeatureHeadTracker(detector);
+             features = peers::makeFeatureHeadTracker(detector);
   const auto marker = coil_tracking::makeMarkerCoilTracker();
   cv::setNumThreads(1);
   auto one_core = std::make_unique<OneCoreOnly>();

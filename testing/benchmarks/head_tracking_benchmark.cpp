@@ -14,6 +14,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/head_tracking/head_tracker.h"
+#include "facenav/peers/feature_head_tracker.h"
 #include "support/stopwatch.h"
 #include "support/synthetic_face.h"
 
@@ -173,7 +174,7 @@ void compare(const Motion& motion, const support::SyntheticFace& face, const cam
   still.seed = 99;
   const auto reference = face.reference(rig, true, still);
   const auto model = head_tracking::makeModelHeadTracker(detector),
-             features = head_tracking::makeFeatureHeadTracker(detector);
+             features = peers::makeFeatureHeadTracker(detector);
   model->start(rig, reference), features->start(rig, reference);
   LucasKanadeTracker lucas_kanade(rig, reference);
   const Result own = run(frames, of(*model));

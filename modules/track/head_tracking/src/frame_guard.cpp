@@ -13,17 +13,17 @@ constexpr double kMoving_mm_s = 5.0;    // a faster head does not stop within on
 constexpr std::size_t kHistory = 31;
 constexpr int kRowStep = 3;
 
-constexpr int kBlock_px = 8, kBlockStep_px = 24;  // squares whose means distinguish a picture from noise
+constexpr int kGuardBlock_px = 8, kBlockStep_px = 24;  // squares whose means distinguish a picture from noise
 
 bool isBlank(const cv::Mat& image) {
   double sum = 0, squares = 0;
   int blocks = 0;
-  for (int y0 = 0; y0 + kBlock_px <= image.rows; y0 += kBlockStep_px)
-    for (int x0 = 0; x0 + kBlock_px <= image.cols; x0 += kBlockStep_px) {
+  for (int y0 = 0; y0 + kGuardBlock_px <= image.rows; y0 += kBlockStep_px)
+    for (int x0 = 0; x0 + kGuardBlock_px <= image.cols; x0 += kBlockStep_px) {
       int block = 0;
-      for (int y = y0; y < y0 + kBlock_px; ++y)
-        for (int x = 0; x < kBlock_px; ++x) block += image.ptr(y)[x0 + x];
-      const double mean = double(block) / (kBlock_px * kBlock_px);
+      for (int y = y0; y < y0 + kGuardBlock_px; ++y)
+        for (int x = 0; x < kGuardBlock_px; ++x) block += image.ptr(y)[x0 + x];
+      const double mean = double(block) / (kGuardBlock_px * kGuardBlock_px);
       sum += mean, squares += mean * mean, ++blocks;
     }
   if (blocks == 0) return true;

@@ -7,6 +7,7 @@
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/peers/icp_aligner.h"
 #include "support/model_head.h"
 
 namespace facenav::registration {
@@ -314,7 +315,7 @@ TEST(IcpAligner, FindsTheHeadAsThePaperDoes) {
   AlignmentStart start;
   start.patient_superior = truth * Direction<Mri>(Eigen::Vector3d(0, 0, 1));
   const auto result =
-      makeIcpAligner()->align(patientsField(), measure(ModelHead(), truth, {}), start, monitor);
+      peers::makeIcpAligner()->align(patientsField(), measure(ModelHead(), truth, {}), start, monitor);
   expectClose(result, truth, 1.0, 0.6);
 }
 

@@ -115,7 +115,7 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
   scalp.has_face = false;
   scalp.findings = {"the face was removed below the brow"};
   const auto rig = vgaRig();
-  const auto aligner = registration::makeIcpAligner();
+  const auto aligner = registration::makeSurfaceAligner();
   TaskMonitor monitor;
   try {
     alignFromCapture(rig, {taggedFrame(), taggedFrame()}, measured_face::AlignedFrom::dots,
@@ -129,7 +129,7 @@ TEST(AlignFromCapture, RefusesAScanWithoutAFaceInWords) {
 
 TEST(AlignFromCapture, RefusesAnUnknownMatcherWithTheNamesKnown) {
   const auto rig = vgaRig();
-  const auto aligner = registration::makeIcpAligner();
+  const auto aligner = registration::makeSurfaceAligner();
   TaskMonitor monitor;
   try {
     alignFromCapture(rig, {taggedFrame(), taggedFrame()}, measured_face::AlignedFrom::dots,

@@ -11,6 +11,7 @@
 #include "facenav/geometry/pose_error.h"
 #include "facenav/geometry/rotation.h"
 #include "facenav/head_tracking/head_tracker.h"
+#include "facenav/peers/feature_head_tracker.h"
 #include "support/matchers.h"
 #include "support/synthetic_face.h"
 #include "support/test_data.h"
@@ -52,7 +53,7 @@ inline std::shared_ptr<const face::FaceDetector> detector() {
 
 inline std::unique_ptr<head_tracking::HeadTracker> make(bool is_model) {
   return is_model ? head_tracking::makeModelHeadTracker(detector())
-                  : head_tracking::makeFeatureHeadTracker(detector());
+                  : peers::makeFeatureHeadTracker(detector());
 }
 
 inline Eigen::Isometry3d motionAt(double phase, double yaw_deg) {

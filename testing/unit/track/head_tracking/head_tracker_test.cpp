@@ -10,7 +10,7 @@ using testing::SyntheticFace;
 using testing::SyntheticView;
 
 TEST_F(HeadTrackers, Features7FollowsWithinTwoMillimetresAtTheCortex) {
-  const auto tracker = head_tracking::makeFeatureHeadTracker(detector());
+  const auto tracker = peers::makeFeatureHeadTracker(detector());
   start(*tracker, false);
   const Errors errors = follow(*tracker, sweep(8, 6));
   EXPECT_EQ(errors.lost, 0);
@@ -119,7 +119,7 @@ TEST_F(HeadTrackers, RefuseToStartWithoutAFace) {
   nothing.frame.left = cv::Mat(480, 640, CV_8U, cv::Scalar(90));
   nothing.frame.right = nothing.frame.left.clone();
   EXPECT_THROW(head_tracking::makeModelHeadTracker(detector())->start(rig_, nothing), Error);
-  EXPECT_THROW(head_tracking::makeFeatureHeadTracker(detector())->start(rig_, nothing), Error);
+  EXPECT_THROW(peers::makeFeatureHeadTracker(detector())->start(rig_, nothing), Error);
 }
 
 }  // namespace

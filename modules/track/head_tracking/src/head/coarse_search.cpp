@@ -16,7 +16,7 @@ constexpr double kYaws_deg[] = {0, 14, -14, 28, -28}, kNods_deg[] = {0, 13, -13}
 constexpr double kScales[] = {1.0, 0.82, 1.22};    // scales of the face in the image, tried in turn
 constexpr double kNearest = 0.6, kFarthest = 1.7;  // distance of the face, relative to that in the view
 constexpr std::size_t kAtOnce = 20;                // views per frame
-constexpr std::size_t kMostPoints = 160;           // points of a view
+constexpr std::size_t kMostInView = 160;           // points of a view
 constexpr std::size_t kMostFitted = 2;             // places per frame
 constexpr double kLeastLikeness = 0.25, kLeastFitted = 0.4;
 constexpr int kViewComparisons = 30,
@@ -151,7 +151,7 @@ CoarseSearch::View CoarseSearch::viewAt(const cameras::StereoRig& rig, const Eig
       view.points[c].push_back({((px - centre_px) / double(kCoarsestStep)).cast<float>(), grey[i].value});
     }
     auto& points = view.points[c];
-    const std::size_t every = points.size() / kMostPoints + 1;
+    const std::size_t every = points.size() / kMostInView + 1;
     for (std::size_t i = 0; i * every < points.size(); ++i) points[i] = points[i * every];
     points.resize((points.size() + every - 1) / every);
   }

@@ -7,7 +7,7 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kLeastLikeness = 0.15;   // of a coarse fit; lower: no face
+constexpr double kLeastAlike = 0.15;      // of a coarse fit; lower: no face
 constexpr double kSwappedLikeness = 0.4;  // likeness with the images exchanged
 // Other work of a frame, in patch comparisons that take the same time.
 constexpr int kPyramidComparisons = 450, kEvenedComparisons = 250;
@@ -87,7 +87,7 @@ FaceSearch::Found FaceSearch::seek(const KeyFrames& keys, const std::array<Image
                        roughly(keys, {now[1], now[0]}, *last, work).likeness >
                            std::max(kSwappedLikeness, found.best.likeness);
   }
-  found.is_to_be_tried = !found.is_swapped && found.best.likeness >= kLeastLikeness;
+  found.is_to_be_tried = !found.is_swapped && found.best.likeness >= kLeastAlike;
   if (found.is_to_be_tried && !work.leavesTimeToFit()) {
     deferred_ = found.best.motion;
     found.is_to_be_tried = false, found.is_deferred = true;

@@ -17,7 +17,7 @@ constexpr double kGenerationCost_rad = 4 * kRadPerDeg;  // cost of a key frame m
 constexpr double kMomentGain_rad = 25 * kRadPerDeg;     // advantage of a key frame of the moment
 constexpr std::size_t kMost = 16, kPatchesAtOnce = 44, kCoarseAtOnce = 6;
 constexpr double kLeastQuality = 0.8, kLearnt_mm = 0.25;  // quality and largest sigma of a fit to learn from
-constexpr int kMargin_px = 48;  // around the patches' centres: half of the coarsest patch, and its blur
+constexpr int kKeptMargin_px = 48;  // around the patches' centres: half of the coarsest patch, and its blur
 
 double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return rotationAngle(a.linear().transpose() * b.linear());
@@ -114,7 +114,7 @@ KeyFrames::Unfinished KeyFrames::unfinishedAt(const cameras::StereoRig& rig, con
   fresh.key.motion = motion;
   fresh.key.level = model.level;
   fresh.right_T_left = rig.right_T_left.isometry();
-  const auto boxes = boxesAt(rig, model, motion, kMargin_px);
+  const auto boxes = boxesAt(rig, model, motion, kKeptMargin_px);
   for (int c = 0; c < 2; ++c) {
     const cv::Mat& image = c == 0 ? frame.left : frame.right;
     cv::Rect box = boxes[c] & cv::Rect({}, image.size());

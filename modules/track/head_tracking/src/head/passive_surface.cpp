@@ -11,8 +11,8 @@ constexpr double kNearer = 0.88, kFarther = 1.15;  // relative to the start dept
 constexpr double kDisparityStep_px = 0.5;
 constexpr int kNodeStep_px = 3;
 constexpr float kStepPenalty = 0.025f,
-                kJumpPenalty = 0.30f;   // per depth step between neighbours, and its maximum
-constexpr double kSmoothing_px = 14.0;  // radius of the quadrics fitted to the result
+                kJumpPenalty = 0.30f;     // per depth step between neighbours, and its maximum
+constexpr double kSurfaceBlur_px = 14.0;  // radius of the quadrics fitted to the result
 
 // 1 - NCC of every node with every depth: costs[(row * columns + column) * depths + depth].
 struct CostVolume {
@@ -148,7 +148,7 @@ FaceSurface passiveSurface(const cameras::StereoRig& rig, const cameras::StereoF
       left_px.push_back(px.cast<float>());
       depth_mm.push_back(1.f / (volume.inverse_depth[best] + offset * step));
     }
-  return FaceSurface(left_px, depth_mm, {rig.width_px, rig.height_px}, kSmoothing_px);
+  return FaceSurface(left_px, depth_mm, {rig.width_px, rig.height_px}, kSurfaceBlur_px);
 }
 
 }  // namespace facenav::head_tracking

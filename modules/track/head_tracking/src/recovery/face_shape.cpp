@@ -13,9 +13,9 @@
 namespace facenav::head_tracking {
 namespace {
 
-constexpr double kNodesAcross = 60.0;  // nodes over the face's width
-constexpr double kReach_mm = 60.0;     // depth range in front of and behind the expected face
-constexpr int kCell_px = 4, kFewestNodes = 150, kIterations = 25;
+constexpr double kNodesAcross = 60.0;   // nodes over the face's width
+constexpr double kNodeReach_mm = 60.0;  // depth range in front of and behind the expected face
+constexpr int kNodeCell_px = 4, kFewestNodes = 150, kShapeSteps = 25;
 constexpr double kStereo_mm = 0.6;  // error shared by neighbours, without dots
 constexpr double kFarthest_mm = 12.0, kSettled_mm = 0.01;
 
@@ -23,16 +23,16 @@ constexpr double kFarthest_mm = 12.0, kSettled_mm = 0.01;
 class MeasuredFace {
  public:
   MeasuredFace(const stereo::FaceCloud& cloud, cv::Size size)
-      : columns_(size.width / kCell_px + 1), rows_(size.height / kCell_px + 1) {
+      : columns_(size.width / kNodeCell_px + 1), rows_(size.height / kNodeCell_px + 1) {
     sum_mm_.assign(std::size_t(columns_) * std::size_t(rows_), Eigen::Vector4d::Zero());
     for (std::size_t i = 0; i < cloud.cloud.size(); ++i) {
-      const int x = int(cloud.left_px[i].x()) / kCell_px, y = int(cloud.left_px[i].y()) / kCell_px;
+      const int x = int(cloud.left_px[i].x()) / kNodeCell_px, y = int(cloud.left_px[i].y()) / kNodeCell_px;
       if (x >= 0 && y >= 0 && x < columns_ && y < rows_)
         sum_mm_[at(x, y)] += cloud.cloud.points_mm[i].homogeneous();
     }
   }
   std::optional<Eigen::Vector3d> near(const Eigen::Vector2d& px) const {
-    const int x = int(px.x()) / kCell_px, y = int(px.y()) / kCell_px;
+    const int x = int(px.x()) / kNodeCell_px, y = int(px.y()) / kNodeCell_px;
     if (px.x() < 0 || px.y() < 0 || x >= columns_ || y >= rows_ || sum_mm_[at(x, y)].w() < 3)
       return std::nullopt;
     return Eigen::Vector3d(sum_mm_[at(x, y)].hnormalized());
@@ -68,8 +68,8 @@ std::optional<MeasuredFace> measureWithin(const FaceBounds& bounds, const camera
   stereo::FaceCloudOptions options;
   options.match = stereo::quickSkinOptions();
   options.left_roi = bounds.box(rig);
-  options.nearest_mm = std::max(50.0, bounds.nearest_mm - kReach_mm);
-  options.farthest_mm = bounds.farthest_mm + kReach_mm;
+  options.nearest_mm = std::max(50.0, bounds.nearest_mm - kNodeReach_mm);
+  options.farthest_mm = bounds.farthest_mm + kNodeReach_mm;
   if (options.left_roi->area() < 1000) return std::nullopt;
   try {
     TaskMonitor monitor;
@@ -137,7 +137,7 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
   FaceBounds bounds;
   for (const auto& node : nodes_) {
     const Eigen::Vector3d p_mm = start * node.mm;
-    if (p_mm.z() < kReach_mm) return std::nullopt;
+    if (p_mm.z() < kNodeReach_mm) return std::nullopt;
     bounds.add(cameras::project(rig.left, p_mm), p_mm.z());
   }
   const auto face = measureWithin(bounds, rig, frame);
@@ -145,7 +145,7 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
   ShapeFit fit;
   fit.camera_T_head = start;
   double scale = 3.0;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
+  for (int iteration = 0; iteration < kShapeSteps; ++iteration) {
     const Eigen::Matrix3d& turn = fit.camera_T_head.linear();
     ShapeStep step;
     for (const auto& node : nodes_) {

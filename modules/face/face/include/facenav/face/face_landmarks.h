@@ -50,7 +50,5 @@ class FaceDetector {
 std::unique_ptr<FaceDetector> makeFaceDetector();
 /// Makes a detector that uses a shared landmark model (100 MB).
 std::unique_ptr<FaceDetector> makeFaceDetector(std::shared_ptr<const LandmarkModel> landmarks);
-/// Makes the paper's detector. Throws Error naming the missing package if the cascade file is not installed.
-std::unique_ptr<FaceDetector> makeCascadeDetector(std::shared_ptr<const LandmarkModel> landmarks);
 
 }  // namespace facenav::face

@@ -163,11 +163,6 @@ class Aligner {
                                 const AlignmentStart& start, TaskMonitor& monitor) const = 0;
 };
 
-/// Makes "icp", the paper's method (section 3, equation 1): point-to-point ICP, by PCL. As the paper writes
-/// it (untrimmed, from a nearby start) it fails by 12-27 degrees on scans that end above the chin. Therefore
-/// the farthest 30 % of the pairs and the pairs at the scan's cut edge are dropped, and it starts from the
-/// search's rough poses.
-std::unique_ptr<Aligner> makeIcpAligner();
 /// Makes "surface", the default: robust point-to-plane on the scalp's distance field, many starts, coarse to
 /// fine.
 std::unique_ptr<Aligner> makeSurfaceAligner();

@@ -25,7 +25,7 @@ struct Registrations {
   std::function<std::shared_ptr<const face::FaceDetector>()> face_detector;
 };
 
-/// Lists names for help texts: "model, features7".
+/// Lists names for help texts: "head, brain".
 template <class Interface>
 std::string namesOf(const Registry<Interface>& registry) {
   std::string names;

@@ -1,8 +1,8 @@
 #pragma once
 // HeadTracker: the live head from stereo frames (paper, section 4). camera_T_head is the motion since the
 // reference frame (Head = Camera there), so camera_T_mri = camera_T_head * head_T_mri with head_T_mri fixed
-// at alignment. "features7": the paper's seven features, NCC, equations 2-5. "model": hundreds of skin
-// patches fitted jointly in both images (default). Hot path: loss is a value (Lost), never an exception.
+// at alignment. "model": hundreds of skin patches fitted jointly in both images (default). Hot path: loss is
+// a value (Lost), never an exception.
 
 #include <functional>
 #include <memory>
@@ -97,9 +97,7 @@ class HeadTracker {
   virtual std::vector<FaceKeyFrame> learntKeyFrames() const { return {}; }
 };
 
-/// Makes "features7". Creates its own face detector, or uses the given one (the landmark model takes 100 MB).
-std::unique_ptr<HeadTracker> makeFeatureHeadTracker(
-    std::shared_ptr<const face::FaceDetector> detector = nullptr);  // default: its own
+/// Makes "model". Creates its own face detector, or uses the given one (the landmark model takes 100 MB).
 std::unique_ptr<HeadTracker> makeModelHeadTracker(
     std::shared_ptr<const face::FaceDetector> detector = nullptr);  // default: its own
 

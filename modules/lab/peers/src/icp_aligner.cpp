@@ -1,3 +1,5 @@
+#include "facenav/peers/icp_aligner.h"
+
 // The paper's alignment: iterative closest points of face and skin (section 3, equation 1; Besl and McKay
 // 1992), by PCL. It deviates from the paper where it would fail otherwise. Pairs at the scan's cut edge are
 // dropped, and so are the farthest pairs: untrimmed, a cloud that reaches below the scan's end turns the head
@@ -15,8 +17,10 @@
 #include "field/point_kernel.h"
 #include "fit/robust_fit.h"
 
-namespace facenav::registration {
+namespace facenav::peers {
 namespace {
+
+using namespace registration;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
@@ -145,4 +149,4 @@ std::unique_ptr<Aligner> makeIcpAligner() {
   return std::make_unique<IcpAligner>();
 }
 
-}  // namespace facenav::registration
+}  // namespace facenav::peers

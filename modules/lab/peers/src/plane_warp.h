@@ -8,7 +8,7 @@
 
 #include "facenav/cameras/stereo_rig.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 
 struct PlaneWarp {
   Eigen::Vector2d px = Eigen::Vector2d::Zero();  // the patch's centre in the current image
@@ -29,4 +29,4 @@ cv::Mat cutPatch(const cv::Mat& image, const Eigen::Vector2d& centre_px, const E
 /// Unit normal of the plane through the points, towards the camera.
 Eigen::Vector3d facePlaneNormal(const std::vector<Eigen::Vector3d>& points_mm);
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

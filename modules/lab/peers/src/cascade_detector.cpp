@@ -1,3 +1,5 @@
+#include "facenav/peers/cascade_detector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,8 +12,10 @@
 #include "facenav/geometry/rotation.h"
 #include "upright_image.h"
 
-namespace facenav::face {
+namespace facenav::peers {
 namespace {
+
+using namespace face;
 
 // Rolls in the order tried, upright first. The last three are for cameras mounted on their side or upside
 // down.
@@ -119,4 +123,4 @@ std::unique_ptr<FaceDetector> makeCascadeDetector(std::shared_ptr<const Landmark
   return std::make_unique<CascadeDetector>(std::move(landmarks));
 }
 
-}  // namespace facenav::face
+}  // namespace facenav::peers

@@ -2,10 +2,10 @@
 
 #include <random>
 
-#include "paper/feature_fit.h"
+#include "feature_fit.h"
 #include "support/synthetic_face.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
 
 // Eye corners, nose tip, mouth corners of an adult face 600 mm away.
@@ -101,4 +101,4 @@ TEST(FeatureFit, FourFeaturesAreTooFew) {
 }
 
 }  // namespace
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

@@ -14,7 +14,7 @@
 #include "facenav/core/tracked.h"
 #include "facenav/geometry/rotation.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 
 /// One feature found in both images.
 struct FeatureMatch {
@@ -37,4 +37,4 @@ Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
                                 const std::vector<Eigen::Vector3d>& reference_mm,
                                 const std::vector<FeatureMatch>& matches);
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
 
 // d(pixel) / d(the two coordinates in the patch's plane).
@@ -57,4 +57,4 @@ Eigen::Vector3d facePlaneNormal(const std::vector<Eigen::Vector3d>& points_mm) {
   return normal.dot(mean) > 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 
 /// Normalised cross-correlation: equation 3 with the means of equations 4 and 5 subtracted. -1..1 for two
 /// 8-bit patches of one size; 0 if one of them is flat.
@@ -23,4 +23,4 @@ struct NccPeak {
 std::optional<NccPeak> findPeak(const cv::Mat& image, const cv::Mat& templ, const Eigen::Vector2d& guess_px,
                                 int radius_px);
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

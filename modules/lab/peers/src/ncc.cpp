@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
 
 // Offset of the extremum of the least-squares paraboloid through 3 x 3 scores, each part within +-1.
@@ -55,4 +55,4 @@ std::optional<NccPeak> findPeak(const cv::Mat& image, const cv::Mat& templ, cons
   return NccPeak{Eigen::Vector2d(window.x + at.x + half_x, window.y + at.y + half_y) + *offset, best};
 }
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

@@ -2,10 +2,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "paper/ncc.h"
+#include "ncc.h"
 #include "support/matchers.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
 
 using facenav::testing::EigenNear;
@@ -65,4 +65,4 @@ TEST(NccPeak, OutsideTheImageIsNone) {
 }
 
 }  // namespace
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

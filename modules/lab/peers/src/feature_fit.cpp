@@ -10,7 +10,7 @@
 #include "facenav/geometry/rigid_fit.h"
 #include "facenav/geometry/rotation.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
 
 constexpr std::size_t kLeastFeatures = 5;
@@ -202,4 +202,4 @@ Tracked<FeatureFit> fitFeatures(const cameras::StereoRig& rig,
   return {result, std::clamp(quality, 0.0, 1.0)};
 }
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers

@@ -1,3 +1,5 @@
+#include "facenav/peers/feature_head_tracker.h"
+
 // "features7": the paper's head tracker (section 4). Seven features, templates of the reference frame, NCC in
 // both images (equations 3-5), closed-form pose with NCC weights (equation 2). Beyond the paper: templates
 // are warped to the predicted pose (a plane through the feature), the geometry is checked and the pose
@@ -7,15 +9,16 @@
 #include <opencv2/imgproc.hpp>
 
 #include "facenav/face/stereo_face.h"
-#include "facenav/head_tracking/head_tracker.h"
 #include "feature_fit.h"
 #include "frame_guard.h"
 #include "head/head_motion.h"
 #include "ncc.h"
 #include "plane_warp.h"
 
-namespace facenav::head_tracking {
+namespace facenav::peers {
 namespace {
+
+using namespace head_tracking;
 
 constexpr std::array<int, 7> kLandmarks = {36, 39, 42, 45,
                                            30, 48, 54};  // iBUG: eye corners, nose tip, mouth corners
@@ -211,4 +214,4 @@ std::unique_ptr<HeadTracker> makeFeatureHeadTracker(std::shared_ptr<const face::
   return std::make_unique<FeatureHeadTracker>(std::move(detector));
 }
 
-}  // namespace facenav::head_tracking
+}  // namespace facenav::peers
