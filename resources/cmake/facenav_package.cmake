@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the libraries' packages, by dpkg-shlibdeps
 # Files that the programs read, by package; and what pictures without a desktop need.
 set(CPACK_DEBIAN_CLINIC_PACKAGE_NAME facenav)
-set(CPACK_DEBIAN_CLINIC_PACKAGE_DEPENDS "opencv-data, libdlib-data, mricron-data, fonts-dejavu-core")
+set(CPACK_DEBIAN_CLINIC_PACKAGE_DEPENDS "libdlib-data, mricron-data, fonts-dejavu-core")
 set(CPACK_DEBIAN_CLINIC_PACKAGE_RECOMMENDS "libgl1-mesa-dri, xvfb, xauth, fonts-vlgothic, qttranslations5-l10n")
 set(CPACK_DEBIAN_CLINIC_PACKAGE_SUGGESTS facenav-lab)
 set(CPACK_COMPONENT_CLINIC_DESCRIPTION "markerless neuronavigation for rTMS
