@@ -120,6 +120,10 @@ TEST_P(RealPeople, AreNotShownFromPicturesOfTwoMoments) {
   EXPECT_EQ(tracked(rows, 1), 0);
   const auto from_the_first = track({{start, later}});
   EXPECT_EQ(tracked(from_the_first, 0), 0);
+  // Pictures of one moment that come later are the start.
+  const auto from_the_second = track({{start, later}, {later, later}});
+  EXPECT_EQ(tracked(from_the_second, 0), 0);
+  EXPECT_EQ(tracked(from_the_second, 1), kFrames);
 }
 
 TEST_P(RealPeople, AreNotShownFromExchangedCameras) {

@@ -48,6 +48,8 @@ RigState rigStateNamed(const std::string& word) {
 
 bool isFault(RigState state) { return state != RigState::unclear && state != RigState::holds; }
 
+bool isOfTheMoment(RigState state) { return state == RigState::out_of_step || state == RigState::disagree; }
+
 bool isWrongGeometry(RigState state) {
   return state == RigState::moved || state == RigState::other_cameras || state == RigState::swapped;
 }

@@ -11,8 +11,8 @@
 namespace facenav::steps {
 namespace {
 
-// Frames in which a face is found, spread over the recording, before it is given up.
-constexpr std::int64_t kMostStarts = 20;
+// Frames in which a face is found that are tried as the start. In a recording they are spread over it.
+constexpr int kMostStarts = 20;
 
 /// Start of the head tracker, and the head's pose at that time.
 struct Start {
@@ -57,8 +57,18 @@ bool doBothSeeAFace(const face::FaceDetector& detector, const cameras::StereoFra
   return !detector.detectAll(frame.left).empty() && !detector.detectAll(frame.right).empty();
 }
 
+/// True if a later frame may be a better start: the reference's pictures may be of two moments, which differ
+/// only while the head moves. `was_wrong`: an earlier frame was so. Many frames are tried then, and each
+/// might pass by chance; only a face that is seen to fit the calibration is the start.
+bool mayStartLater(const session::Navigator& navigator, bool was_wrong) {
+  const auto fault = navigator.cameras().fault();
+  if (was_wrong) return !navigator.cameras().hasFitted();
+  return fault && health::isOfTheMoment(fault->state);
+}
+
 /// Starts at the first frame in which both cameras see a face that can be tracked. A face may be covered,
-/// blurred or cut off in one frame and plain to see in the next.
+/// blurred, cut off or moving in one frame and plain to see in the next. If no frame is of one moment, the
+/// first with a face is the start.
 StartedTracking startAtFirstFace(const Registrations& methods, const TrackRequest& request,
                                  const capture::Recording& recording,
                                  const std::optional<RigidTransform<Camera, Mri>>& camera_T_mri,
@@ -71,6 +81,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
   started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
                         " frames; check that both cameras see the whole face, upright and lit";
   std::shared_ptr<const cameras::StereoFrame> first;
+  std::unique_ptr<session::Navigator> of_two_moments;
   bool is_face_found = false;
   std::optional<std::int64_t>
       contradicted;  // a frame in which both cameras see a face, at places that disagree
@@ -91,8 +102,12 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     try {
       started.navigator = makeNavigator(methods, request, recording.rig, std::move(start), coil,
                                         methods.head_trackers.create(request.head_tracker));
-      started.why_no_head.clear();
-      return started;
+      if (camera_T_mri || !mayStartLater(*started.navigator, of_two_moments != nullptr)) {
+        started.why_no_head.clear();
+        return started;
+      }
+      if (!of_two_moments) of_two_moments = std::move(started.navigator);
+      next = i + apart;
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -102,6 +117,11 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     }
   }
   if (!first) throw Error("the recording has no frame", recording.folder.string());
+  if (of_two_moments) {
+    started.navigator = std::move(of_two_moments);
+    started.why_no_head.clear();
+    return started;
+  }
   if (contradicted && !is_face_found)
     started.why_no_head = "both cameras see a face (frame " + std::to_string(*contradicted) +
                           "), but not where the calibration expects it; check which camera is left, and the "
@@ -164,6 +184,8 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
                                 capture::FrameSource& source, const coil_tracking::CoilModel& coil,
                                 TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
+  std::unique_ptr<session::Navigator> of_two_moments;
+  int passed_over = 0;
   while (const auto frame = source.next()) {
     monitor.report("looking for a face", -1);
     if (!frame->absence.empty()) continue;
@@ -175,6 +197,10 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
       StartedTracking started;
       started.navigator = makeNavigator(methods, request, source.rig(), std::move(start), coil,
                                         methods.head_trackers.create(request.head_tracker));
+      if (!mayStartLater(*started.navigator, of_two_moments != nullptr)) return started;
+      if (!of_two_moments) of_two_moments = std::move(started.navigator);
+      if (++passed_over < kMostStarts) continue;
+      started.navigator = std::move(of_two_moments);
       return started;
     } catch (const Cancelled&) {
       throw;

@@ -25,6 +25,9 @@ std::string toString(RigState state);
 RigState rigStateNamed(const std::string& word);
 /// True for every state but unclear and holds.
 bool isFault(RigState state);
+/// True for a fault that the next pair may not have: the two pictures may be of two moments, which differ
+/// only while the head moves.
+bool isOfTheMoment(RigState state);
 /// True if the cameras' geometry is not the calibration's: moved, other cameras, swapped.
 bool isWrongGeometry(RigState state);
 

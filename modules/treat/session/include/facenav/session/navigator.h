@@ -75,6 +75,8 @@ class Navigator {
   /// Replaces the measurement of the surface beside the coil; null: none.
   void setGapWatch(std::unique_ptr<monitoring::BesideCoilWatch> watch) { gap_watch_ = std::move(watch); }
   const cameras::StereoRig& rig() const { return rig_; }
+  /// What is known of the cameras; before the first frame: from the reference's pictures.
+  const health::RigHealth& cameras() const { return trust_.rig(); }
   /// Key frames of the patient's face from this session, to be saved with the case. Empty without an
   /// alignment, or if it is in doubt: judged wrong, a failed check, a drift.
   std::vector<casefile::StoredKeyFrame> learntKeyFrames() const;
