@@ -35,6 +35,7 @@ std::string spdxIdOf(const LicensedPart& part) {
 std::string relationOf(PartUse use) {
   switch (use) {
     case PartUse::linked:
+    case PartUse::linked_in_lab:
       return "DYNAMIC_LINK";
     case PartUse::compiled_in:
       return "CONTAINS";

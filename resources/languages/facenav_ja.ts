@@ -310,6 +310,10 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <source>Yes, checked: align</source>
         <translation>はい、確認済み: 位置合わせする</translation>
     </message>
+    <message>
+        <source>linked in facenav-lab</source>
+        <translation>facenav-lab でリンク</translation>
+    </message>
 </context>
 <context>
     <name>SecondCoilChoice</name>
@@ -11327,6 +11331,10 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
     <message>
         <source>the pictures do not fit the calibration (%1 px across the epipolar lines): a camera has moved since, or they were taken at two moments</source>
         <translation>画像が較正と合いません (エピポーラ線に直交して %1 px): 較正後にカメラが動いたか、二つの画像が別の時点のものです</translation>
+    </message>
+    <message>
+        <source>linked in facenav-lab</source>
+        <translation>facenav-lab でリンク</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,8 @@ QString useInWords(PartUse use) {
   switch (use) {
     case PartUse::linked:
       return QObject::tr("linked");
+    case PartUse::linked_in_lab:
+      return QObject::tr("linked in facenav-lab");
     case PartUse::compiled_in:
       return QObject::tr("compiled in");
     case PartUse::data:

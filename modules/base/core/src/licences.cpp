@@ -16,7 +16,8 @@ std::string trimmed(const std::string& text) {
 }
 
 PartUse useNamed(const std::string& words) {
-  for (const PartUse use : {PartUse::linked, PartUse::compiled_in, PartUse::data, PartUse::run})
+  for (const PartUse use :
+       {PartUse::linked, PartUse::linked_in_lab, PartUse::compiled_in, PartUse::data, PartUse::run})
     if (words == toString(use)) return use;
   FACENAV_EXPECT(false, "a part of the table of licences has an unknown use: " + words);
   return PartUse::linked;
@@ -47,6 +48,8 @@ std::string toString(PartUse use) {
   switch (use) {
     case PartUse::linked:
       return "linked";
+    case PartUse::linked_in_lab:
+      return "linked in facenav-lab";
     case PartUse::compiled_in:
       return "compiled in";
     case PartUse::data:

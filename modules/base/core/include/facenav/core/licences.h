@@ -9,9 +9,9 @@
 namespace facenav {
 inline namespace core {
 
-enum class PartUse { linked, compiled_in, data, run };
+enum class PartUse { linked, linked_in_lab, compiled_in, data, run };
 
-/// Returns "linked", "compiled in", "data" or "run".
+/// Returns "linked", "linked in facenav-lab", "compiled in", "data" or "run".
 std::string toString(PartUse use);
 
 struct LicensedPart {
