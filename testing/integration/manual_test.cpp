@@ -118,7 +118,7 @@ TEST_F(ManualSite, ItNamesNoPathOfThisMachine) {
 TEST_F(ManualSite, ThePageOfMessagesHoldsEveryRefusalOfTheCode) {
   const auto page = readText(site() / "messages.html");
   for (const char* words : {"not aligned: the face does not fit this MRI",  // by a function of the same file
-                            "the face cascade cannot be read",              // thrown
+                            "the face landmark model cannot be read",       // thrown
                             "one camera stands in front of the other", "holds no DICOM images"})  // returned
     EXPECT_NE(page.find(words), std::string::npos) << words;
   EXPECT_GT(matches(page, std::regex("(<tr )")).size(), 700u);

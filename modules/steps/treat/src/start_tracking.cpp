@@ -57,14 +57,25 @@ bool doBothSeeAFace(const face::FaceDetector& detector, const cameras::StereoFra
   return !detector.detectAll(frame.left).empty() && !detector.detectAll(frame.right).empty();
 }
 
-/// True if a later frame may be a better start: the reference's pictures may be of two moments, which differ
-/// only while the head moves. `was_wrong`: an earlier frame was so. Many frames are tried then, and each
-/// might pass by chance; only a face that is seen to fit the calibration is the start.
-bool mayStartLater(const session::Navigator& navigator, bool was_wrong) {
-  const auto fault = navigator.cameras().fault();
-  if (was_wrong) return !navigator.cameras().hasFitted();
-  return fault && health::isOfTheMoment(fault->state);
-}
+/// Chooses the start. A first pair of two moments may be followed by a better one, since its pictures differ
+/// only while the head moves. If none is, the first is the start.
+class StartChoice {
+ public:
+  /// Takes the next possible start; true if it is the one. After a pair of two moments many are tried, and
+  /// each might pass by chance: only a face that is seen to fit the calibration counts then.
+  bool take(std::unique_ptr<session::Navigator> start) {
+    const auto fault = start->cameras().fault();
+    const bool is_good =
+        chosen_ ? start->cameras().hasFitted() : !fault || !health::isOfTheMoment(fault->state);
+    if (is_good || !chosen_) chosen_ = std::move(start);
+    return is_good;
+  }
+  /// Null if there was no start.
+  std::unique_ptr<session::Navigator> chosen() { return std::move(chosen_); }
+
+ private:
+  std::unique_ptr<session::Navigator> chosen_;
+};
 
 /// Starts at the first frame in which both cameras see a face that can be tracked. A face may be covered,
 /// blurred, cut off or moving in one frame and plain to see in the next. If no frame is of one moment, the
@@ -81,7 +92,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
   started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
                         " frames; check that both cameras see the whole face, upright and lit";
   std::shared_ptr<const cameras::StereoFrame> first;
-  std::unique_ptr<session::Navigator> of_two_moments;
+  StartChoice choice;
   bool is_face_found = false;
   std::optional<std::int64_t>
       contradicted;  // a frame in which both cameras see a face, at places that disagree
@@ -100,13 +111,9 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     Start start{{*frame, {}, {}}, camera_T_mri};
     start.reference.face_px = face::outlineOf(face->left);
     try {
-      started.navigator = makeNavigator(methods, request, recording.rig, std::move(start), coil,
-                                        methods.head_trackers.create(request.head_tracker));
-      if (camera_T_mri || !mayStartLater(*started.navigator, of_two_moments != nullptr)) {
-        started.why_no_head.clear();
-        return started;
-      }
-      if (!of_two_moments) of_two_moments = std::move(started.navigator);
+      const bool is_good = choice.take(makeNavigator(methods, request, recording.rig, std::move(start), coil,
+                                                     methods.head_trackers.create(request.head_tracker)));
+      if (is_good || camera_T_mri) break;
       next = i + apart;
     } catch (const Cancelled&) {
       throw;
@@ -117,8 +124,8 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     }
   }
   if (!first) throw Error("the recording has no frame", recording.folder.string());
-  if (of_two_moments) {
-    started.navigator = std::move(of_two_moments);
+  started.navigator = choice.chosen();
+  if (started.navigator) {
     started.why_no_head.clear();
     return started;
   }
@@ -184,8 +191,8 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
                                 capture::FrameSource& source, const coil_tracking::CoilModel& coil,
                                 TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
-  std::unique_ptr<session::Navigator> of_two_moments;
-  int passed_over = 0;
+  StartChoice choice;
+  int tried = 0;
   while (const auto frame = source.next()) {
     monitor.report("looking for a face", -1);
     if (!frame->absence.empty()) continue;
@@ -194,13 +201,11 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
     Start start{{*frame, {}, {}}, std::nullopt};
     start.reference.face_px = face::outlineOf(face->left);
     try {
+      const bool is_good = choice.take(makeNavigator(methods, request, source.rig(), std::move(start), coil,
+                                                     methods.head_trackers.create(request.head_tracker)));
+      if (!is_good && ++tried < kMostStarts) continue;
       StartedTracking started;
-      started.navigator = makeNavigator(methods, request, source.rig(), std::move(start), coil,
-                                        methods.head_trackers.create(request.head_tracker));
-      if (!mayStartLater(*started.navigator, of_two_moments != nullptr)) return started;
-      if (!of_two_moments) of_two_moments = std::move(started.navigator);
-      if (++passed_over < kMostStarts) continue;
-      started.navigator = std::move(of_two_moments);
+      started.navigator = choice.chosen();
       return started;
     } catch (const Cancelled&) {
       throw;
