@@ -20,7 +20,7 @@ struct LicencesRequest {
 void printParts() {
   std::printf("FaceNav %s: Apache-2.0\n\n", versionInWords().c_str());
   for (const LicensedPart& part : licensedParts())
-    std::printf("%-32s %-12s %-44s %-12s %s\n", part.name.c_str(), upstreamVersion(part.version).c_str(),
+    std::printf("%-32s %-12s %-44s %-22s %s\n", part.name.c_str(), upstreamVersion(part.version).c_str(),
                 part.licence.c_str(), toString(part.use).c_str(), part.package.c_str());
   std::printf(
       "\nDebian's packages bring more libraries along; /usr/share/doc/PACKAGE/copyright has the licence of "

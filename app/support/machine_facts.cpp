@@ -72,7 +72,6 @@ Json programFacts() {
   json["data"] = {
       {"brain prior", fs::exists(dataFolder() / "brain_prior/weights.fnbp")},
       {"landmarks of the face", fs::exists("/usr/share/dlib/shape_predictor_68_face_landmarks.dat")},
-      {"detector of faces", fs::exists("/usr/share/opencv4/haarcascades")},
       {"Colin27", fs::exists("/usr/share/mricron/templates/ch2.nii.gz")}};
   for (const LicensedPart& part : licensedParts()) json["parts"][part.name] = part.version;
   return json;

@@ -1,7 +1,7 @@
 // "model": the default head tracker. Hundreds of skin patches give the pose in each frame (patch_track.h).
 // This file applies the answers of the parallel recovery (recovery/lost_face.h) to the pose: a lost face was
-// found again, a tracked face was checked, or no pose may be shown. The face detector runs at start only: a
-// cascade takes tens of milliseconds, while the search by the face's own images (coarse_search.h) finds it
+// found again, a tracked face was checked, or no pose may be shown. The face detector runs at start only: it
+// takes tens of milliseconds, while the search by the face's own images (coarse_search.h) finds it
 // within a few frames of a few milliseconds each.
 
 #include "facenav/anatomy/head_norms.h"

@@ -1,7 +1,7 @@
 #pragma once
-// Detects a face and its landmarks, the start of alignment and tracking without a click. The default detector
-// is dlib's (histograms of gradients, Dalal & Triggs 2005); the paper's way is a Haar cascade (Viola & Jones
-// 2001; paper, section 4). Both add dlib's 68 landmarks if the model file is installed.
+// Detects a face and its landmarks, the start of alignment and tracking without a click. The detector is
+// dlib's (histograms of gradients, Dalal & Triggs 2005). It adds dlib's 68 landmarks if the model file is
+// installed. The paper's detector is in lab/peers.
 
 #include <Eigen/Core>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-// CascadeDetector: a peer method to compare face detection with: the 2010 paper's Haar cascade.
+// CascadeDetector: a peer method to compare face detection with: the 2010 paper's Haar cascade
+// (Viola & Jones 2001; paper, section 4).
 
 #include <memory>
 
