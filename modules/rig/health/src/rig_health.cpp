@@ -31,11 +31,13 @@ std::optional<RigVerdict> RigHealth::fault() const {
   if (!estimate_.hasMoved()) return std::nullopt;
   const bool is_clear = estimate_.statistic > kClearStatistic;
   if (has_fitted_ && !is_clear) return std::nullopt;
-  return estimate_.verdict();
+  // The skin of few frames may be off by one motion of the head. A coil's square counts only at rest.
+  const bool is_told = has_seen_square_ || frames_ >= kFirstFrames;
+  return is_told ? estimate_.verdict() : camerasDisagree(estimate_.epipolar_px);
 }
 
 void RigHealth::add(const RigObservation& seen) {
-  if (seen.square) monitor_.add(*seen.square);
+  if (seen.square) monitor_.add(*seen.square), has_seen_square_ = true;
   if (seen.square_fits == true) ++agreed_, contradicted_ = 0;
   if (seen.square_fits == false) ++contradicted_, agreed_ = 0;
   if (contradicted_ >= kFramesInARow) coil_contradicts_ = true;

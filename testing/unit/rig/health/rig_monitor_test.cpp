@@ -6,6 +6,7 @@
 
 #include "facenav/cameras/patch_match.h"
 #include "facenav/geometry/rotation.h"
+#include "facenav/health/rig_health.h"
 #include "support/stereo_rigs.h"
 
 namespace facenav::health {
@@ -223,6 +224,28 @@ TEST(RigMonitor, ForgetsSoThatAKnockDuringTheSessionIsSeen) {
   int frames = 0;
   for (; frames < 200 && !monitor.estimate().hasMoved(); ++frames) monitor.add(after.face(6));
   EXPECT_LT(frames, 120);
+}
+
+/// State that RigHealth names after some frames of a pair whose right camera turned.
+RigState named(int frames, bool has_square) {
+  const auto rig = facenav::testing::convergingRig();
+  Scene scene(moved(rig, {0.3, 0, 0}, {0, 0, 0}), 3);
+  RigHealth health(rig);
+  for (int i = 0; i < frames; ++i) {
+    RigObservation seen;
+    seen.captured.s = i / 30.0;
+    seen.matches = scene.face(30);
+    if (has_square) seen.square = scene.marker(60, 600);
+    health.add(seen);
+  }
+  const auto fault = health.fault();
+  return fault ? fault->state : RigState::unclear;
+}
+
+TEST(RigHealth, NamesAMovedCameraFromSkinOnlyAfterManyFrames) {
+  EXPECT_EQ(named(2, false), RigState::disagree) << "the head may have moved between the exposures";
+  EXPECT_EQ(named(2, true), RigState::moved) << "a square at rest tells";
+  EXPECT_EQ(named(int(kFirstFrames) + 2, false), RigState::moved);
 }
 
 TEST(PatchMatch, FindsATexturedPatchThatMovedInBothDirections) {

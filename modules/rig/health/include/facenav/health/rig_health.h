@@ -50,6 +50,7 @@ class RigHealth {
   CameraDrift drift_;
   std::optional<RigVerdict> reference_fault_;  // a session that starts with such images stays wrong
   bool has_fitted_ = false;                    // the reference pair's face fitted its calibration
+  bool has_seen_square_ = false;               // of a coil at rest
   std::size_t frames_ = 0;
   /// Frames in a row in which a coil at rest contradicts, or fits, the size and the rows of its print.
   int contradicted_ = 0, agreed_ = 0;
