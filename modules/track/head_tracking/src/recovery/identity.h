@@ -2,7 +2,8 @@
 // Identity check: is the face at a fitted pose the patient's? The decision is by likelihood ratio of patient
 // to other person. Observation 1 is the share of windows in place. The windows are on skin that hardly moves
 // over the bone (bridge of the nose, forehead, temples). A window is in place if its best match lies where
-// the rigid pose predicts it. Windows of 8 mm survive compression; another person's skin has other detail.
+// the pose and the smooth motion of the skin (skin_field.h) predict it: a raised brow moves firm skin as one,
+// another person's skin matches in places that no smooth motion joins. Windows of 8 mm survive compression.
 // Observation 2 is the distance of the measured upper face from the reference's (face_shape.h).
 
 #include <array>

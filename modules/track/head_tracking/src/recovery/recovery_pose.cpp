@@ -148,10 +148,7 @@ RecoveryPose fitRecoveryPose(const cameras::StereoRig& rig, const SkinPoints& po
     pose.covariance = rotate * field->covariance * rotate.transpose() + then.covariance;
     pose.unseen_covariance =
         settingsOf<SkinFieldModel>().pose_unseen * pose.covariance + then.between_sessions;
-    // The identity check counts windows in place at the pose that most windows agree on.
-    pose.residual_px.clear();
-    for (const auto& match : matches)
-      pose.residual_px.push_back((match.offset_px - match.jacobian * s.xi).norm());
+    pose.residual_px = field->residual_px;
     compareSides(points, matches, pose);
     pose.matches = std::move(matches);
     pose.is_valid = true;

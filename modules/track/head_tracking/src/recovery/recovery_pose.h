@@ -21,7 +21,7 @@ struct RecoveryPose {
   /// sessions. Not part of `covariance`.
   Matrix6d unseen_covariance = Matrix6d::Zero();
   std::vector<SkinMatch> matches;   // of the last search; offsets refer to the pose before the last step
-  std::vector<double> residual_px;  // per match, after the last step
+  std::vector<double> residual_px;  // per match, with the motion of head and skin
   /// Squared Mahalanobis distance between the poses from each camera alone (chi-square of 6 if the images are
   /// of one moment and the rig is right). Empty if one camera alone does not determine a pose.
   std::optional<double> sides_apart;

@@ -106,6 +106,7 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
   const Observations seen = observationsOf(points, matches);
   std::vector<double> weight(matches.size(), 1.0);
   Eigen::VectorXd found = Eigen::VectorXd::Zero(seen.design.cols());
+  Eigen::VectorXd residual_px = seen.offset_px;
   Eigen::MatrixXd weighted(seen.design.rows(), seen.design.cols());
   SkinFieldPose pose;
   for (int round = 0; round < kReweightings; ++round) {
@@ -117,11 +118,14 @@ std::optional<SkinFieldPose> solveWithSkinField(const SkinPoints& points,
     const auto factor = normal.ldlt();
     found = factor.solve(weighted.transpose() * seen.offset_px);
     if (!found.allFinite()) return std::nullopt;
-    weight = weightsOf(seen, seen.offset_px - seen.design * found);
+    residual_px = seen.offset_px - seen.design * found;
+    weight = weightsOf(seen, residual_px);
     if (round == kReweightings - 1)
       pose.covariance = factor.solve(Eigen::MatrixXd::Identity(normal.rows(), 6)).topRows<6>();
   }
   pose.xi = found.head<6>();
+  for (Eigen::Index i = 0; i < seen.count(); ++i)
+    pose.residual_px.push_back(residual_px.segment<2>(2 * i).norm());
   if (!pose.covariance.allFinite()) return std::nullopt;
   return pose;
 }

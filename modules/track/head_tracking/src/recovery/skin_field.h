@@ -16,6 +16,7 @@ namespace facenav::head_tracking {
 struct SkinFieldPose {
   Vector6d xi = Vector6d::Zero();              // (w rad, v mm) about the points' centre, Head
   Matrix6d covariance = Matrix6d::Identity();  // covariance of xi
+  std::vector<double> residual_px;             // per match, with the motion of head and skin
 };
 
 /// Iterations of reweighting, of this solution and of the one without a field.
