@@ -189,10 +189,10 @@ struct Attempts {
   std::size_t used_ = 0;
   bool is_patient_confirmed_;
   std::optional<Error> error_;
-  std::optional<Error> mirrored_;   // of a way whose face may fit the mirror image better
-  bool is_turn_unknown_ = false;    // error_ says so
-  bool is_person_unclear_ = false;  // likewise
-  bool has_head_moved_ = false;     // likewise: with a still head the dots would do
+  std::optional<Error> mirrored_;                       // of a way whose face may fit the mirror image better
+  bool is_turn_unknown_ = false;                        // error_ says so
+  bool has_head_moved_ = false;                         // likewise: with a still head the dots would do
+  std::optional<registration::PersonUnclear> unclear_;  // of the way that speaks for this person most
   std::optional<Error> undecided_;  // of the way with the least log odds of this person's scan
   double least_own_ = 0.0;          // those log odds
 };
@@ -218,7 +218,7 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
     error_ = error, has_head_moved_ = true;
     now.refusal = error.what();
   } catch (const UnknownTurn& error) {  // contains advice for use with or without a projector
-    if (!has_head_moved_) error_ = error, is_turn_unknown_ = true, is_person_unclear_ = false;
+    if (!has_head_moved_) error_ = error, is_turn_unknown_ = true;
     now.refusal = error.what();
   } catch (const NotMeasured& error) {
     if (!error_) error_ = error;
@@ -233,13 +233,14 @@ void Attempts::add(measured_face::AlignedFrom from, const casefile::CaseStore& s
     if (!error_) error_ = error;
     now.refusal = error.what();
   } catch (const registration::PersonUnclear& error) {
-    if (!is_turn_unknown_) error_ = error, is_person_unclear_ = true;
+    if (!is_turn_unknown_) error_ = error;
+    if (!unclear_ || error.own_log_odds > unclear_->own_log_odds) unclear_ = error;
     now.refusal = error.what();
     weigh(error, error.own_log_odds);
   } catch (const registration::NotThisPerson& error) {
     now.refusal = error.what();
     if (!best_ && error.own_log_odds < -leastOwn()) throw Error(inWordsOf(store, now.refusal));
-    if (!is_turn_unknown_) error_ = error, is_person_unclear_ = false;
+    if (!is_turn_unknown_) error_ = error;
     weigh(error, error.own_log_odds);
   } catch (const Error& error) {
     const std::string words = inWordsOf(store, error.what());
@@ -294,7 +295,8 @@ Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recordin
     }
     return std::move(*best_);
   }
-  if (error_ && is_person_unclear_) throw registration::PersonUnclear(inWordsOf(store, error_->what()));
+  if (unclear_ && !is_turn_unknown_ && unclear_->own_log_odds + against >= 0)
+    throw registration::PersonUnclear(inWordsOf(store, unclear_->what()));
   if (error_) throw Error(inWordsOf(store, error_->what()));
   throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),
               "record a still pair (facenav record --capture) or a film of the face");

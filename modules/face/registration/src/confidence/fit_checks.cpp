@@ -233,7 +233,7 @@ std::string measuredAs(const Closeness& closeness) {
 /// Refuses a face that does not fit, or one that was measured so coarsely that other heads fit as well.
 [[noreturn]] void refuseAsAnother(const FitEvidence& evidence) {
   const std::string measured = measuredAs(evidence.closeness);
-  if (evidence.own_log_odds < 0)
+  if (evidence.own_log_odds < -settingsOf<FitLimits>().least_own)
     throw NotThisPerson("not aligned: the face does not fit this MRI" + measured,
                         "check that this is the patient's own MRI, and measure the face again",
                         evidence.own_log_odds);
