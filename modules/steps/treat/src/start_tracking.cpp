@@ -6,6 +6,7 @@
 #include "facenav/align/stored_capture.h"
 #include "facenav/core/log.h"
 #include "facenav/face/stereo_face.h"
+#include "facenav/health/pair_diagnosis.h"
 #include "facenav/treat/guide_poses.h"
 
 namespace facenav::steps {
@@ -61,19 +62,25 @@ bool doBothSeeAFace(const face::FaceDetector& detector, const cameras::StereoFra
 /// only while the head moves. If none is, the first is the start.
 class StartChoice {
  public:
-  /// Takes the next possible start; true if it is the one. After a pair of two moments many are tried, and
-  /// each might pass by chance: only a face that is seen to fit the calibration counts then.
+  explicit StartChoice(const cameras::StereoRig& rig) : rig_(rig) {}
+  /// True if a start from this frame may be taken. After a pair of two moments many are tried, and each might
+  /// pass by chance: only a face that is seen to fit the calibration counts then.
+  bool isPossible(const head_tracking::HeadReference& start) const {
+    return !chosen_ ||
+           health::diagnosePair(rig_, start.frame, start.face_px).state == health::RigState::holds;
+  }
+  /// Takes a possible start; true if it is the one.
   bool take(std::unique_ptr<session::Navigator> start) {
-    const auto fault = start->cameras().fault();
-    const bool is_good =
-        chosen_ ? start->cameras().hasFitted() : !fault || !health::isOfTheMoment(fault->state);
-    if (is_good || !chosen_) chosen_ = std::move(start);
-    return is_good;
+    const bool is_first = !chosen_;
+    chosen_ = std::move(start);
+    const auto fault = chosen_->cameras().fault();
+    return !is_first || !fault || !health::isOfTheMoment(fault->state);
   }
   /// Null if there was no start.
   std::unique_ptr<session::Navigator> chosen() { return std::move(chosen_); }
 
  private:
+  const cameras::StereoRig& rig_;
   std::unique_ptr<session::Navigator> chosen_;
 };
 
@@ -92,7 +99,7 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
   started.why_no_head = "no face was found in any of " + std::to_string(recording.frame_count) +
                         " frames; check that both cameras see the whole face, upright and lit";
   std::shared_ptr<const cameras::StereoFrame> first;
-  StartChoice choice;
+  StartChoice choice(recording.rig);
   bool is_face_found = false;
   std::optional<std::int64_t>
       contradicted;  // a frame in which both cameras see a face, at places that disagree
@@ -110,6 +117,10 @@ StartedTracking startAtFirstFace(const Registrations& methods, const TrackReques
     is_face_found = true;
     Start start{{*frame, {}, {}}, camera_T_mri};
     start.reference.face_px = face::outlineOf(face->left);
+    if (!choice.isPossible(start.reference)) {
+      next = i + apart;
+      continue;
+    }
     try {
       const bool is_good = choice.take(makeNavigator(methods, request, recording.rig, std::move(start), coil,
                                                      methods.head_trackers.create(request.head_tracker)));
@@ -191,7 +202,7 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
                                 capture::FrameSource& source, const coil_tracking::CoilModel& coil,
                                 TaskMonitor& monitor) {
   const auto detector = methods.face_detector();
-  StartChoice choice;
+  StartChoice choice(source.rig());
   int tried = 0;
   while (const auto frame = source.next()) {
     monitor.report("looking for a face", -1);
@@ -201,7 +212,8 @@ StartedTracking startAtLiveFace(const Registrations& methods, const TrackRequest
     Start start{{*frame, {}, {}}, std::nullopt};
     start.reference.face_px = face::outlineOf(face->left);
     try {
-      const bool is_good = choice.take(makeNavigator(methods, request, source.rig(), std::move(start), coil,
+      const bool is_good = choice.isPossible(start.reference) &&
+                           choice.take(makeNavigator(methods, request, source.rig(), std::move(start), coil,
                                                      methods.head_trackers.create(request.head_tracker)));
       if (!is_good && ++tried < kMostStarts) continue;
       StartedTracking started;

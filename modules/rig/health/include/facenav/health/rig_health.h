@@ -31,9 +31,6 @@ class RigHealth {
   /// Reason why no pose can be trusted, as of the last judgement (some frames ago); nullopt if no fault is
   /// known.
   std::optional<RigVerdict> fault() const;
-  /// True if the face in the reference pair was seen to fit the calibration; false where it showed too
-  /// little.
-  bool hasFitted() const { return has_fitted_; }
   /// Pose of the right camera for the next frame: as calibrated, or corrected for a motion on the mount.
   RigidTransform<RightCamera, Camera> right_T_left() const { return drift_.right_T_left(); }
   /// Standard error of the direction of right_T_left(), beyond the calibration's.
