@@ -141,8 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         People{
             "lm", {"person", 418}, {"person", 1252}, {"person_2", 837}, "both cameras see a face (frame 0)"},
-        People{
-            "mr", {"person_2", 1255}, {"person_2", 837}, {"person", 1669}, "left and right are exchanged"}),
+        People{"mr", {"person_2", 1}, {"person_2", 419}, {"person", 1669}, "left and right are exchanged"}),
     [](const auto& info) { return info.param.rig + "_" + info.param.start.person; });
 
 }  // namespace

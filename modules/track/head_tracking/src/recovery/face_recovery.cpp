@@ -41,15 +41,14 @@ SidesVerdict FaceRecovery::sidesOf(const RecoveredFace& found) const {
   for (const std::size_t c : {0u, 1u}) {  // does each image show the face at some pose?
     const RecoveryPose own = fitRecoveryPose(rig_, points_, *found.then, *found.pictures,
                                              found.pose.camera_T_head, c == 0 ? Sides::left : Sides::right);
-    if (identityOf(rig_, points_, *found.then, own, std::nullopt).side_share[c] < kSideFound)
+    if (identityOf(rig_, points_, *found.then, own).side_share[c] < kSideFound)
       return SidesVerdict::one_camera;
   }
   return SidesVerdict::out_of_step;
 }
 
 // Tries the reference first, then other key frames if the identity is undecided.
-RecoveredFace FaceRecovery::tryFrom(const cameras::StereoFrame& frame,
-                                    const std::shared_ptr<const RecoveryPictures>& now,
+RecoveredFace FaceRecovery::tryFrom(const std::shared_ptr<const RecoveryPictures>& now,
                                     const Eigen::Isometry3d& start) const {
   RecoveredFace best;
   std::vector<std::shared_ptr<const SkinView>> views = {reference_};
@@ -58,15 +57,15 @@ RecoveredFace FaceRecovery::tryFrom(const cameras::StereoFrame& frame,
     RecoveredFace found;
     found.pose = fitRecoveryPose(rig_, points_, *view, *now, start);
     found.pictures = now, found.then = view;
-    found.identity = identityOf(rig_, points_, *view, found.pose, std::nullopt);
+    found.identity = identityOf(rig_, points_, *view, found.pose);
     if (!best.then || found.identity.log_likelihood_ratio > best.identity.log_likelihood_ratio)
       best = std::move(found);
     if (best.identity.verdict() == Identity::Verdict::patient) break;
   }
-  if (best.pose.is_valid && best.identity.verdict() == Identity::Verdict::undecided)
-    if (const auto shape = shape_.fit(rig_, frame, best.pose.camera_T_head))
-      best.identity = identityOf(rig_, points_, *best.then, best.pose, shape);
   if (best.pose.is_valid) best.lines = epipolarOffset(rig_, best.pose.matches);
+  // Firm skin that is not in place has moved by more than the fit's model of it. The rest, from which the
+  // pose is, counts as that share of a sample.
+  if (best.identity.in_place_share > 0) best.pose.covariance /= best.identity.in_place_share;
   if (best.pose.is_valid && best.identity.verdict() != Identity::Verdict::other) best.sides = sidesOf(best);
   return best;
 }
@@ -77,7 +76,7 @@ std::optional<RecoveredFace> FaceRecovery::find(const cameras::StereoFrame& fram
   const auto now = std::make_shared<const RecoveryPictures>(frame);
   std::optional<RecoveredFace> best;
   const auto isFoundFrom = [&](const Eigen::Isometry3d& start, bool is_face_seen) {
-    RecoveredFace found = tryFrom(frame, now, start);
+    RecoveredFace found = tryFrom(now, start);
     found.is_face_seen = is_face_seen;
     if (found.pose.is_valid &&
         (!best || found.identity.log_likelihood_ratio > best->identity.log_likelihood_ratio))
@@ -94,7 +93,7 @@ std::optional<RecoveredFace> FaceRecovery::find(const cameras::StereoFrame& fram
         if (isFoundFrom(*motion, true)) return best;
       }
   if (const auto shape = shape_.fit(rig_, frame, start.value_or(Eigen::Isometry3d::Identity())))
-    isFoundFrom(shape->camera_T_head, false);
+    isFoundFrom(*shape, false);
   return best;
 }
 

@@ -71,7 +71,7 @@ class FaceRecovery {
   };
   void add(Remembered key);
   SidesVerdict sidesOf(const RecoveredFace& found) const;
-  RecoveredFace tryFrom(const cameras::StereoFrame& frame, const std::shared_ptr<const RecoveryPictures>& now,
+  RecoveredFace tryFrom(const std::shared_ptr<const RecoveryPictures>& now,
                         const Eigen::Isometry3d& start) const;
 
   cameras::StereoRig rig_;

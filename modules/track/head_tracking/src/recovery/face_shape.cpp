@@ -6,9 +6,7 @@
 
 #include "facenav/core/error.h"
 #include "facenav/core/robust_statistics.h"
-#include "facenav/core/settings_in_force.h"
 #include "facenav/geometry/normal_equations.h"
-#include "facenav/head_tracking/identity_model.h"
 
 namespace facenav::head_tracking {
 namespace {
@@ -83,20 +81,17 @@ std::optional<MeasuredFace> measureWithin(const FaceBounds& bounds, const camera
 struct ShapeStep {
   Matrix6d h = Matrix6d::Identity() * 1e-6;
   Vector6d g = Vector6d::Zero();
-  std::vector<double> distances, rigid_mm;
+  std::vector<double> distances;
 
   void add(double off_mm, double mobility_mm, double scale, const Vector6d& j) {
     const double sigma_mm = std::hypot(kStereo_mm, mobility_mm), distance = off_mm / sigma_mm;
     distances.push_back(std::abs(distance));
-    if (mobility_mm <= settingsOf<IdentityModel>().identity_rigid_mm) rigid_mm.push_back(std::abs(off_mm));
     const double weight =
         (kStudentFreedom + 1) / (kStudentFreedom + std::pow(distance / scale, 2)) / (sigma_mm * sigma_mm);
     h.noalias() += weight * j * j.transpose();
     g += weight * off_mm * j;
   }
-  bool isEnough() const {
-    return int(distances.size()) >= kFewestNodes && int(rigid_mm.size()) >= kFewestNodes / 3;
-  }
+  bool isEnough() const { return int(distances.size()) >= kFewestNodes; }
 };
 
 /// Distance along its normal from a node to the measured skin; nullopt where that is turned away or unseen.
@@ -131,8 +126,9 @@ FaceShape::FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, co
   for (const auto& node : nodes_) centre_mm_ += node.mm / double(nodes_.size());
 }
 
-std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                                       const Eigen::Isometry3d& start) const {
+std::optional<Eigen::Isometry3d> FaceShape::fit(const cameras::StereoRig& rig,
+                                                const cameras::StereoFrame& frame,
+                                                const Eigen::Isometry3d& start) const {
   if (int(nodes_.size()) < kFewestNodes) return std::nullopt;
   FaceBounds bounds;
   for (const auto& node : nodes_) {
@@ -142,14 +138,13 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
   }
   const auto face = measureWithin(bounds, rig, frame);
   if (!face) return std::nullopt;
-  ShapeFit fit;
-  fit.camera_T_head = start;
+  Eigen::Isometry3d camera_T_head = start;
   double scale = 3.0;
   for (int iteration = 0; iteration < kShapeSteps; ++iteration) {
-    const Eigen::Matrix3d& turn = fit.camera_T_head.linear();
+    const Eigen::Matrix3d& turn = camera_T_head.linear();
     ShapeStep step;
     for (const auto& node : nodes_) {
-      const Eigen::Vector3d p_mm = fit.camera_T_head * node.mm, normal = turn * node.normal;
+      const Eigen::Vector3d p_mm = camera_T_head * node.mm, normal = turn * node.normal;
       const auto off_mm = distance_mm(*face, rig, p_mm, normal);
       if (!off_mm || std::abs(*off_mm) > kFarthest_mm * std::max(1.0, scale)) continue;
       Vector6d j;
@@ -159,13 +154,12 @@ std::optional<ShapeFit> FaceShape::fit(const cameras::StereoRig& rig, const came
     if (!step.isEnough()) return std::nullopt;
     const Vector6d xi = solveSymmetric(step.h, step.g);
     if (!xi.allFinite()) return std::nullopt;
-    fit.camera_T_head = fit.camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) *
-                        Eigen::Translation3d(-centre_mm_);
+    camera_T_head =
+        camera_T_head * Eigen::Translation3d(centre_mm_) * expRigid(xi) * Eigen::Translation3d(-centre_mm_);
     scale = std::max(0.7, kSigmaPerMad * upperMedian(step.distances));
-    fit.rms_mm = kSigmaPerMad * upperMedian(step.rigid_mm), fit.nodes = int(step.distances.size());
     if (xi.tail<3>().norm() + 60.0 * xi.head<3>().norm() < kSettled_mm) break;
   }
-  return fit;
+  return camera_T_head;
 }
 
 }  // namespace facenav::head_tracking

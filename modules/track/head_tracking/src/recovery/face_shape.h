@@ -17,21 +17,15 @@
 
 namespace facenav::head_tracking {
 
-struct ShapeFit {
-  Eigen::Isometry3d camera_T_head = Eigen::Isometry3d::Identity();
-  double rms_mm = 0.0;  // robust distance of measured skin from the reference's: bridge, forehead and temples
-  int nodes = 0;        // measured nodes of the reference's upper face
-};
-
 class FaceShape {
  public:
   FaceShape() = default;
   FaceShape(const cameras::StereoRig& rig, const FaceRegion& region, const FaceSurface& surface,
             const SkinMobility& mobility);
 
-  /// Fits near `start` (some 15 degrees, 40 mm). Returns nothing if too little was measured.
-  std::optional<ShapeFit> fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
-                              const Eigen::Isometry3d& start) const;
+  /// camera_T_head, fitted near `start` (some 15 degrees, 40 mm); nothing if too little was measured.
+  std::optional<Eigen::Isometry3d> fit(const cameras::StereoRig& rig, const cameras::StereoFrame& frame,
+                                       const Eigen::Isometry3d& start) const;
 
  private:
   struct Node {

@@ -33,7 +33,7 @@ Identity::Verdict Identity::verdict() const {
 }
 
 Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, const SkinView& then,
-                    const RecoveryPose& pose, const std::optional<ShapeFit>& shape) {
+                    const RecoveryPose& pose) {
   const IdentityModel& model = settingsOf<IdentityModel>();
   Identity identity;
   const double tolerance_px =
@@ -58,14 +58,6 @@ Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, con
   identity.log_likelihood_ratio =
       logNormal(std::min(logit, own), own, sigmaOfLogit(model.identity_own_sigma, own, independent)) -
       logNormal(std::max(logit, other), other, sigmaOfLogit(model.identity_other_sigma, other, independent));
-  if (shape) {
-    identity.shape_rms_mm = shape->rms_mm;
-    const double log_rms = std::log(std::max(0.05, shape->rms_mm));
-    identity.log_likelihood_ratio += logNormal(std::max(log_rms, model.identity_own_shape),
-                                               model.identity_own_shape, model.identity_own_shape_sigma) -
-                                     logNormal(std::min(log_rms, model.identity_other_shape),
-                                               model.identity_other_shape, model.identity_other_shape_sigma);
-  }
   return identity;
 }
 

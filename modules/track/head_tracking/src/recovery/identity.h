@@ -1,16 +1,14 @@
 #pragma once
 // Identity check: is the face at a fitted pose the patient's? The decision is by likelihood ratio of patient
-// to other person. Observation 1 is the share of windows in place. The windows are on skin that hardly moves
-// over the bone (bridge of the nose, forehead, temples). A window is in place if its best match lies where
-// the pose and the smooth motion of the skin (skin_field.h) predict it: a raised brow moves firm skin as one,
-// another person's skin matches in places that no smooth motion joins. Windows of 8 mm survive compression.
-// Observation 2 is the distance of the measured upper face from the reference's (face_shape.h).
+// to other person. The observation is the share of windows in place. The windows are on skin that hardly
+// moves over the bone (bridge of the nose, forehead, temples). A window is in place if its best match lies
+// where the pose and the smooth motion of the skin (skin_field.h) predict it: a raised brow moves firm skin
+// as one, another person's skin matches in places that no smooth motion joins. Windows of 8 mm survive
+// compression.
 
 #include <array>
-#include <optional>
 #include <string>
 
-#include "face_shape.h"
 #include "recovery_pose.h"
 
 namespace facenav::head_tracking {
@@ -19,7 +17,6 @@ struct Identity {
   std::array<double, 2> side_share = {0, 0};  // share of windows in place in each camera alone
   double in_place_share = 0.0;                // 0..1, share of the windows in view that are in place
   int windows = 0;                            // number of windows in view
-  std::optional<double> shape_rms_mm;         // robust; empty if the shape was not measured
   double log_likelihood_ratio = 0.0;          // patient to other person, natural logarithm
 
   enum class Verdict { patient, other, undecided };
@@ -33,8 +30,8 @@ struct Identity {
   double logOdds() const;
 };
 
-/// Identity at a pose from fitRecoveryPose. `shape`: if it was measured.
+/// Identity at a pose from fitRecoveryPose.
 Identity identityOf(const cameras::StereoRig& rig, const SkinPoints& points, const SkinView& then,
-                    const RecoveryPose& pose, const std::optional<ShapeFit>& shape);
+                    const RecoveryPose& pose);
 
 }  // namespace facenav::head_tracking

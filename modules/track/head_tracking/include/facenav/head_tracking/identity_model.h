@@ -18,10 +18,6 @@ struct IdentityModel {
   double identity_own_sigma = 0.75;
   double identity_other_mean = -2.7;
   double identity_other_sigma = 0.6;
-  double identity_own_shape = -0.35;
-  double identity_own_shape_sigma = 0.6;
-  double identity_other_shape = 0.45;
-  double identity_other_shape_sigma = 0.45;
   double identity_sure = 4.6;
   double identity_prior = 2.3;
 
@@ -44,18 +40,6 @@ struct IdentityModel {
     visitor(
         kOther("identity_other_sigma", 0.1, 3, "1", "logit of another person's share: standard deviation"),
         self.identity_other_sigma);
-    visitor(kShape("identity_own_shape", -3, 2, "1",
-                   "logarithm of the upper face's rms in mm, the patient: mean (0.7 mm)"),
-            self.identity_own_shape);
-    visitor(kShape("identity_own_shape_sigma", 0.05, 2, "1",
-                   "logarithm of that rms, the patient: standard deviation"),
-            self.identity_own_shape_sigma);
-    visitor(
-        kShape("identity_other_shape", -2, 3, "1", "logarithm of that rms, another person: mean (1.6 mm)"),
-        self.identity_other_shape);
-    visitor(kShape("identity_other_shape_sigma", 0.05, 2, "1",
-                   "logarithm of that rms, another person: standard deviation"),
-            self.identity_other_shape_sigma);
     visitor(kOdds("identity_sure", 1, 20, "1", "log likelihood ratio of a decision: 100 to 1"),
             self.identity_sure);
     visitor(
@@ -77,11 +61,6 @@ struct IdentityModel {
       "on the same person mirrored, 25 attempts (-2.7, 0.33; the program is not "
       "kept), widened; nobody held out. With the skin's motion taken out, others "
       "reach 0.15 (logit -1.7) in five drawn worlds of even seeds"};
-  static constexpr Evidence kShape{
-      Origin::chosen,
-      "0.7 mm is what two pairs of cameras leave on one real face without dots, "
-      "1.6 mm what adult faces differ by; not fitted. The patient's deviation was "
-      "doubled when a second person's grimaces were seen"};
   static constexpr Evidence kOdds{Origin::chosen, "odds of 100 to 1"};
   static constexpr Evidence kPrior{Origin::chosen,
                                    "10 to 1: the patient's head comes back to its chair far more often than "
