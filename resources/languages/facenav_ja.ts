@@ -11336,6 +11336,10 @@ Ask for name and date of birth. Say yes only if they are those of this case: wit
         <source>linked in facenav-lab</source>
         <translation>facenav-lab でリンク</translation>
     </message>
+    <message>
+        <source>the two cameras place the face differently: one has moved on its mount since the alignment, or they expose at different moments</source>
+        <translation>二台のカメラで顔の位置が一致しません: 位置合わせ後に一方が台座の上で動いたか、露光の時刻が異なります</translation>
+    </message>
 </context>
 <context>
     <name>facenav::ui</name>

@@ -27,13 +27,19 @@ void RigHealth::start(const cameras::StereoFrame& pair, const PointCloud<Camera>
 std::optional<RigVerdict> RigHealth::fault() const {
   if (reference_fault_) return reference_fault_;
   if (coil_contradicts_) return markerContradicts();
-  if (const auto moved = drift_.fault()) return moved;
+  if (const auto moved = drift_.fault()) return isCauseTold() ? *moved : placesDisagree();
   if (!estimate_.hasMoved()) return std::nullopt;
   const bool is_clear = estimate_.statistic > kClearStatistic;
   if (has_fitted_ && !is_clear) return std::nullopt;
-  // The skin of few frames may be off by one motion of the head. A coil's square counts only at rest.
-  const bool is_told = has_seen_square_ || frames_ >= kFirstFrames;
-  return is_told ? estimate_.verdict() : camerasDisagree(estimate_.epipolar_px);
+  return isCauseTold() ? estimate_.verdict() : camerasDisagree(estimate_.epipolar_px);
+}
+
+/// True if a moved camera is told from pictures of two moments: the face of few frames may be off by one
+/// motion of the head. A coil's square is seen only at rest.
+bool RigHealth::isCauseTold() const { return has_seen_square_ || frames_ >= kFirstFrames; }
+
+std::optional<CorrectedMotion> RigHealth::correction() const {
+  return isCauseTold() ? drift_.correction() : std::nullopt;
 }
 
 void RigHealth::add(const RigObservation& seen) {

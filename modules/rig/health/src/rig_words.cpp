@@ -105,6 +105,14 @@ RigVerdict movedOnMount(double turn_deg) {
           "fix the cameras, then calibrate and align again"};
 }
 
+RigVerdict placesDisagree() {
+  return {
+      RigState::disagree,
+      "the two cameras place the face differently: one has moved on its mount since the alignment, or they "
+      "expose at different moments",
+      "trigger both cameras together; if they are, calibrate again"};
+}
+
 std::string inWords(const CorrectedMotion& motion) {
   return "a camera has moved on its mount since the alignment (" + fixed(motion.turn_deg, 2) +
          " deg): corrected by the face, fix the cameras and calibrate again when the patient has left";

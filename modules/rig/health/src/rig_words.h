@@ -8,5 +8,7 @@ namespace facenav::health {
 
 RigVerdict markerContradicts();
 RigVerdict movedOnMount(double turn_deg);
+/// The tracked face is seen at two poses by the two cameras, and nothing tells which of both causes it is.
+RigVerdict placesDisagree();
 
 }  // namespace facenav::health

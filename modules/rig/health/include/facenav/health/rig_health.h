@@ -35,11 +35,12 @@ class RigHealth {
   RigidTransform<RightCamera, Camera> right_T_left() const { return drift_.right_T_left(); }
   /// Standard error of the direction of right_T_left(), beyond the calibration's.
   double rightTurnSigma_rad() const { return drift_.turnSigma_rad(); }
-  /// The motion that is corrected; nullopt if none is.
-  std::optional<CorrectedMotion> correction() const { return drift_.correction(); }
+  /// The motion that is corrected; nullopt if none is, or nothing tells yet that it is one.
+  std::optional<CorrectedMotion> correction() const;
 
  private:
   void followDrift();
+  bool isCauseTold() const;
 
   cameras::StereoRig rig_;
   RigMonitor monitor_;
