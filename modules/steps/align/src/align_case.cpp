@@ -295,7 +295,7 @@ Aligned Attempts::best(const casefile::CaseStore& store, const capture::Recordin
     }
     return std::move(*best_);
   }
-  if (unclear_ && !is_turn_unknown_ && unclear_->own_log_odds + against >= 0)
+  if (unclear_ && !is_turn_unknown_ && unclear_->own_log_odds + against > 0)
     throw registration::PersonUnclear(inWordsOf(store, unclear_->what()));
   if (error_) throw Error(inWordsOf(store, error_->what()));
   throw Error("not aligned: the recording has no pictures of the face", recording.folder.string(),

@@ -49,7 +49,8 @@ class FakeAligner : public registration::Aligner {
     result.own_log_odds = answers_.own_log_odds.empty() ? 20.0 : answers_.own_log_odds.at(answers_.asked - 1);
     if (result.own_log_odds == kUnclear) {
       if (!start.is_patient_confirmed)
-        throw registration::PersonUnclear("not aligned: too coarse to tell this person from others");
+        throw registration::PersonUnclear("not aligned: too coarse to tell this person from others", {},
+                                          kUnclear);
       result.rests_on_confirmation = true;
     } else if (result.own_log_odds == kMirrored || result.own_log_odds == kEitherWay)
       throw registration::MayBeMirrored("not aligned: the face cannot be distinguished from its mirror image",
@@ -335,6 +336,17 @@ TEST_F(AlignRecording, WhereOnePairIsUndecidedAndAnotherHardlySureAPersonIsAsked
   const auto aligned = alignRecording(methods_, *store_, recording_, confirmed, monitor);
   EXPECT_TRUE(aligned.outcome.result.rests_on_confirmation);
   EXPECT_TRUE(store_->alignment()->rests_on_confirmation);
+}
+
+TEST_F(AlignRecording, APersonIsAskedWhereBothPairsTogetherSpeakForThePatient) {
+  TaskMonitor monitor;
+  recording_.capture = dotted();
+  showMarker();
+  answers_.sigmas_mm.assign(8, 0.5);
+  answers_.own_log_odds = {kUnclear, kUnclear, -4, -4, kUnclear, kUnclear, -5.9, -5.9};
+  EXPECT_THROW(alignRecording(methods_, *store_, recording_, {"fake"}, monitor), registration::PersonUnclear);
+  EXPECT_THAT(refusal(recording_), HasSubstr("does not fit this MRI"));  // 5.5 - 5.9 speaks against
+  EXPECT_FALSE(store_->alignment());
 }
 
 TEST_F(AlignRecording, WhereOnePairShowsTooLittleAnotherIsTried) {
