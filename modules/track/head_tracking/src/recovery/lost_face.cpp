@@ -18,6 +18,25 @@ constexpr int kThoroughEvery = 4;        // questions; a search at all roll angl
 constexpr double kDiagnosedFor_s = 3.0;  // the room decides anew after that; 0.3 s of one core
 constexpr int kFirstLevel = 1;
 constexpr double kKnownShare = 0.8;  // share of windows in place; lower with another expression
+// Agreement with the reference divided by that of both cameras, mean and standard deviation, for the patient
+// and for others. Evidence: resources/doc/evidence.md.
+constexpr double kOwnDetail = 0.91, kOwnSigma = 0.15, kOtherDetail = 0.14, kOtherSigma = 0.13;
+
+// True if the images keep the skin's fine detail, as shown by the agreement of both cameras.
+bool keepsDetail(const DetailAgreement& of_both_cameras) {
+  return of_both_cameras.value() >= settingsOf<SkinDetailLimits>().detail_least_agreed;
+}
+
+// Log likelihood ratio of the skin's fine detail; 0 if the images do not keep that detail.
+double evidenceOf(const DetailAgreement& seen, const DetailAgreement& of_both_cameras) {
+  if (!keepsDetail(of_both_cameras)) return 0.0;
+  const double share = seen.value() / of_both_cameras.value();
+  const auto logNormal = [](double z, double sigma) { return -0.5 * z * z - std::log(sigma); };
+  const double own_sigma = std::hypot(kOwnSigma, seen.sigma()),
+               other_sigma = std::hypot(kOtherSigma, seen.sigma());
+  return logNormal((std::min(share, kOwnDetail) - kOwnDetail) / own_sigma, own_sigma) -
+         logNormal((std::max(share, kOtherDetail) - kOtherDetail) / other_sigma, other_sigma);
+}
 
 /// Outline of the skin that was found in the left picture, px.
 std::vector<cv::Point> outlineOf(const std::vector<SkinMatch>& matches) {
@@ -58,6 +77,10 @@ LostFace::Found LostFace::answer(const FaceRecovery& recovery, const Learnt& lea
   const PoseFit patches =
       fitPose(question.rig, model, model.level, now, found.camera_T_head, kFirstLevel, {});
   const DetailAgreement detail = detailAgreement(question.rig, model, model.level[0], now, patches);
+  found.face.identity.log_likelihood_ratio += evidenceOf(detail, *learnt.both_cameras);
+  found.identify();
+  found.is_other |= found.face.identity.verdict() == Identity::Verdict::other;
+  if (!found.is_patient) return found;
   // Where the reference's patches look as expected, they are more exact than recovery's windows.
   if (patches.scale < kAsExpected && judge(model, patches).isTracked() &&
       identityOfSkin(detail, *learnt.both_cameras) == SkinIdentity::patient)
@@ -164,9 +187,7 @@ void LostFace::forget() {
   is_to_forget_ = true;
 }
 
-bool LostFace::picturesKeepDetail() const {
-  return learnt_.both_cameras->value() >= settingsOf<SkinDetailLimits>().detail_least_agreed;
-}
+bool LostFace::picturesKeepDetail() const { return keepsDetail(*learnt_.both_cameras); }
 
 double LostFace::takeBeside_ms() { return std::exchange(beside_ms_, 0.0); }
 
