@@ -63,8 +63,8 @@ RecoveredFace FaceRecovery::tryFrom(const std::shared_ptr<const RecoveryPictures
     if (best.identity.verdict() == Identity::Verdict::patient) break;
   }
   if (best.pose.is_valid) best.lines = epipolarOffset(rig_, best.pose.matches);
-  // Firm skin that is not in place has moved by more than the fit's model of it. The rest, from which the
-  // pose is, counts as that share of a sample.
+  // Firm skin that is not in place has moved in a way that the fit does not model. The pose comes from the
+  // rest, so its variance grows as that of a smaller sample.
   if (best.identity.in_place_share > 0) best.pose.covariance /= best.identity.in_place_share;
   if (best.pose.is_valid && best.identity.verdict() != Identity::Verdict::other) best.sides = sidesOf(best);
   return best;

@@ -27,7 +27,7 @@ enum class SidesVerdict {
 };
 
 struct RecoveredFace {
-  RecoveryPose pose;
+  RecoveryPose pose;  // covariance: that of the fit, divided by the share of windows in place
   SidesVerdict sides = SidesVerdict::agree;  // from the pose in each camera alone
   EpipolarOffset lines;                      // of the skin found in both images
   Identity identity;

@@ -53,14 +53,13 @@ struct IdentityModel {
   static constexpr Evidence kOwn{
       Origin::fitted,
       "on one real person, 60 attempts over five moments and three pairs of cameras (0.82, 0.65), widened "
-      "for people and cameras that were not seen; nobody held out. Fitted before the skin's smooth motion "
-      "was "
-      "taken out of the residuals, which only raises the patient's share"};
+      "for people and cameras that were not seen; nobody held out. At that time the residuals contained the "
+      "skin's smooth motion; without it, the share is higher in grimaces"};
   static constexpr Evidence kOther{
       Origin::fitted,
-      "on the same person mirrored, 25 attempts (-2.7, 0.33; the program is not "
-      "kept), widened; nobody held out. With the skin's motion taken out, others "
-      "reach 0.15 (logit -1.7) in five drawn worlds of even seeds"};
+      "on the same person mirrored, 25 attempts (-2.7, 0.33; the program is not kept), widened; nobody held "
+      "out. Without the skin's smooth motion, others reach 0.15 (logit -1.7) in five drawn worlds of even "
+      "seeds"};
   static constexpr Evidence kOdds{Origin::chosen, "odds of 100 to 1"};
   static constexpr Evidence kPrior{Origin::chosen,
                                    "10 to 1: the patient's head comes back to its chair far more often than "
